@@ -1,0 +1,23 @@
+// The scene's terrain, sand and material turned into arrays on the grid.
+#pragma once
+
+#include <vector>
+
+#include "solver/scene.hpp"
+
+namespace sandsim {
+
+/// ny * nx arrays, x fastest. Arrays of size 1 hold one value for the whole grid; `bed` is empty on flat terrain.
+struct InitialState {
+  std::vector<double> bed;                   // [m]
+  std::vector<double> depth;                 // [m]
+  std::vector<double> friction_coefficient;  // [-] size 1 or ny * nx
+  std::vector<double> hbar_scale;            // [-] alpha in hbar = min(alpha h, cap); size 1 or ny * nx
+  std::vector<double> hbar_cap;              // [m] size 1 or ny * nx; 1e30 where there is no cap
+};
+
+/// Rasters are resampled bilinearly at the cell centres (see sample() in resample.hpp).
+/// Throws SceneError if a raster has no data inside the grid, or depths are negative or not finite.
+InitialState build_initial_state(const Scene& scene);
+
+}  // namespace sandsim
