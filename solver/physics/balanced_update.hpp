@@ -1,0 +1,72 @@
+// One cell's new depth and momentum from its faces: balanced scheme.
+#pragma once
+
+#include "solver/physics/balanced_flux.hpp"
+#include "solver/physics/reconstruction.hpp"
+
+namespace sandsim::physics {
+
+/// Conserved state of a cell.
+template <class R>
+struct State {
+  R h, hu, hv;  // [m], [m^2/s]
+};
+
+/// The parts of a reconstruction that the update needs again.
+template <class R>
+struct CellCore {
+  R sh_x, ss_x, sh_y, ss_y, dh, G;
+};
+
+template <bool OneD, class R>
+SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, const FaceFlux<R>& west,
+                                    const FaceFlux<R>& east, const FaceFlux<R>& south, const FaceFlux<R>& north,
+                                    const Material<R>& m, const StepParameters<R>& p) {
+  const R half = R(0.5), zero = R(0), k = p.dt / p.dx;
+  const R h = old.h;
+  // The pairs are summed first, then the axes: mirrored and turned states give mirrored and turned results.
+  R mass = east.mass - west.mass;
+  R flow_x = east.normal - west.normal, flow_y = east.transverse - west.transverse;
+  if constexpr (!OneD) {
+    mass = mass + (north.mass - south.mass);
+    flow_x = flow_x + (north.transverse - south.transverse);
+    flow_y = flow_y + (north.normal - south.normal);
+  }
+  const R h_new = h - k * mass;
+
+  const bool wet = h > p.dry_depth;
+  const bool held = wet & (old.hu == zero) & (old.hv == zero) & (c.G <= m.mu);
+  const R h_east = h + half * c.sh_x + c.dh, h_west = h - half * c.sh_x + c.dh;
+  R push_x = p.g * mean_hbar(h_east, h_west, m) * c.ss_x + (east.jump_left + west.jump_right);
+  R push_y = zero;
+  if constexpr (!OneD) {
+    const R h_north = h + half * c.sh_y + c.dh, h_south = h - half * c.sh_y + c.dh;
+    push_y = p.g * mean_hbar(h_north, h_south, m) * c.ss_y + (north.jump_left + south.jump_right);
+  }
+  push_x = held ? zero : push_x;
+  push_y = held ? zero : push_y;
+
+  // The push may not do more work than lifting over one cell.
+  const R push = (OneD ? absolute(push_x) : length(push_x, push_y)) / p.dx / maximum(h, h_new);
+  const R tamed = square_root(2 * p.dx / push) / p.dt;
+  const R tame = wet & (push * p.dt * p.dt > 2 * p.dx) ? tamed : R(1);
+  push_x = push_x * tame;
+  push_y = push_y * tame;
+
+  R hu = old.hu - k * (flow_x + push_x), hv = old.hv - k * (flow_y + push_y);
+  const R grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
+  const R size = OneD ? absolute(hu) : length(hu, hv);
+  const R factor = size <= grip ? zero : (grip > zero ? 1 - grip / size : R(1));
+  hu = hu * factor;
+  hv = hv * factor;
+
+  // No more than one cell a step; acts only when a fixed step breaks the bound.
+  const R fastest = h_new * p.dx / p.dt, size_new = OneD ? absolute(hu) : length(hu, hv);
+  const R slow = size_new > fastest ? fastest / size_new : R(1);
+  hu = hu * slow;
+  hv = hv * slow;
+  const bool dries = h_new <= p.dry_depth;
+  return {h_new, dries ? zero : hu, dries ? zero : hv};
+}
+
+}  // namespace sandsim::physics

@@ -1,0 +1,55 @@
+// Differences of the surface s = h + b between cells, and the slope that friction has to hold.
+#pragma once
+
+#include <limits>
+
+#include "solver/physics/parameters.hpp"
+
+namespace sandsim::physics {
+
+/// s_right - s_left, computed from differences, and 0 below the level of rounding (so that a lake is flat).
+template <class R>
+SANDSIM_HD R surface_difference(R h_left, R h_right, R b_left, R b_right) {
+  const R difference = (h_right - h_left) + (b_right - b_left);
+  const R noise = 2 * std::numeric_limits<R>::epsilon() * (h_left + h_right);
+  return absolute(difference) <= noise ? R(0) : difference;
+}
+
+/// Depth and bed of a cell and its two neighbours along one axis.
+template <class R>
+struct Line {
+  R h_minus, h, h_plus;
+  R b_minus, b, b_plus;
+};
+
+/// Differences of s and h towards the minus and the plus neighbour.
+template <class R>
+struct Differences {
+  R s_minus, s_plus, h_minus, h_plus;
+};
+
+/// A neighbour whose bed stands above this cell's surface cannot push: its differences are limited by the opposite
+/// ones (a wall or a shore gives 0, a film on a slope is unchanged). Flat: the bed is not looked at.
+template <bool Flat, class R>
+SANDSIM_HD Differences<R> differences(const Line<R>& line) {
+  const R s_minus = surface_difference(line.h_minus, line.h, line.b_minus, line.b);
+  const R s_plus = surface_difference(line.h, line.h_plus, line.b, line.b_plus);
+  const R h_minus = line.h - line.h_minus, h_plus = line.h_plus - line.h;
+  if constexpr (Flat) {
+    return {s_minus, s_plus, h_minus, h_plus};
+  } else {
+    const bool blocked_minus = (line.b_minus - line.b >= line.h) & (s_minus < R(0));
+    const bool blocked_plus = (line.b_plus - line.b >= line.h) & (s_plus > R(0));
+    const R s_limited = minmod(s_minus, s_plus), h_limited = minmod(h_minus, h_plus);
+    return {blocked_minus ? s_limited : s_minus, blocked_plus ? s_limited : s_plus,
+            blocked_minus ? h_limited : h_minus, blocked_plus ? h_limited : h_plus};
+  }
+}
+
+/// Compact slope of the surface along one axis. [-]
+template <class R>
+SANDSIM_HD R compact_slope(const Differences<R>& d, R dx) {
+  return R(0.5) * (d.s_minus + d.s_plus) / dx;
+}
+
+}  // namespace sandsim::physics
