@@ -1,0 +1,108 @@
+// The seam between the time loop and the machine that does the steps. One virtual call a step, none per cell.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/initial_state.hpp"
+#include "solver/report.hpp"
+#include "solver/scene.hpp"
+#include "solver/sink.hpp"
+
+namespace sandsim {
+
+/// What a backend has to know besides the initial state.
+struct BackendConfig {
+  Grid grid;
+  double gravity = 9.8;                      // [m/s^2]
+  Boundaries boundaries;
+  Numerics numerics;
+  double courant = 0.6;
+  bool maxima = false;                       // keep max_depth, max_speed, arrival_time
+  double arrival_depth = 0.0;                // [m]
+  int threads = 0;                           // 0: as many as the machine has; results do not depend on it
+  int tile_columns = 0;                      // 0: chosen by the backend; results do not depend on it
+  int block_rows = 0;                        // likewise
+};
+
+/// What a step did.
+struct StepOutcome {
+  bool moving = false;                       // some cell has momentum
+  bool changed = false;                      // some depth or momentum differs from before the step
+  bool broken = false;                       // some value is not finite, or a depth is negative
+  double volume_out = 0.0;                   // [m^3] left through open sides
+};
+
+/// Depth and momentum: ny * nx, x fastest, in the run's precision.
+struct StateArrays {
+  FieldValues depth, momentum_x, momentum_y;
+};
+
+/// Sums over the grid (in an order that does not depend on threads).
+struct GridStatistics {
+  double volume = 0.0;                       // [m^3]
+  double kinetic_energy = 0.0;               // [m^5/s^2]
+  double max_speed = 0.0;                    // [m/s]
+  std::int64_t moving_cells = 0;
+};
+
+/// Sand to be added to the cells of a source.
+struct SandRain {
+  std::vector<std::int64_t> cells;           // j * nx + i
+  double rate = 0.0;                         // [m/s] growth of depth in each of them
+};
+
+/// A cell with the speed that bounds the step there.
+struct SpeedLimit {
+  int i = -1;
+  int j = -1;
+  double speed = 0.0;                        // [m/s]
+};
+
+/// Holds the state and advances it.
+class Backend {
+ public:
+  virtual ~Backend() = default;
+
+  virtual std::string device() const = 0;
+  virtual int threads() const = 0;
+  virtual std::int64_t memory_bytes() const = 0;
+  /// Bytes that one step moves between memory and the processor. [B/step]
+  virtual double bytes_per_step() const = 0;
+
+  virtual void set_state(const StateArrays& state) = 0;
+  virtual StateArrays state() const = 0;
+
+  /// Largest stable step of the present state; infinite if nothing can move. [s]
+  virtual double stable_step() const = 0;
+  /// The cell that bounds the step (a slow search, for messages).
+  virtual SpeedLimit speed_limit() const = 0;
+  /// Largest |ds|/(mu dx) - 1 over the faces between wet cells, 0 if none is above mu. (A slow search.) [-]
+  virtual double slope_violation() const = 0;
+
+  /// One step of length dt [s] with the paper's or the balanced scheme.
+  virtual StepOutcome step(double dt) = 0;
+  /// Adds rate * dt to the depth of each cell of the rain; returns the volume that the cells gained. [m^3]
+  virtual double rain(const SandRain& rain, double dt) = 0;
+
+  virtual GridStatistics statistics() const = 0;
+  /// One output field by its name in series.h5.
+  virtual FieldValues field(const std::string& name) const = 0;
+  /// Depth and velocity of single cells (j * nx + i).
+  virtual std::vector<ProbeSample> sample(const std::vector<std::int64_t>& cells) const = 0;
+
+  /// Takes the present state into the maxima; `time` in s. Only with config.maxima.
+  virtual void update_maxima(double time) = 0;
+  virtual FinalFields maxima() const = 0;
+  virtual void set_maxima(const FinalFields& fields) = 0;
+
+  /// First cell with a value that is not finite or a negative depth, in row order; i = -1 if there is none.
+  virtual Incident find_broken() const = 0;
+};
+
+/// The CPU backend. Throws DeviceError if the memory is not there.
+std::unique_ptr<Backend> make_cpu_backend(const BackendConfig& config, const InitialState& initial);
+
+}  // namespace sandsim
