@@ -1,0 +1,149 @@
+"""Reads what a run of sandsim leaves behind. The one module that knows the files: series.h5 and run.json.
+
+    series = Series("results/flume")          # a result folder, a series.h5 or a series.h5.partial
+    series.time, series.x, series.y           # [s], [m], [m]
+    series.depth(-1)                          # (y, x) [m], the last frame
+    series.numbers["kinetic_energy"]          # one value a frame
+    series.report["volume_error"]             # run.json
+"""
+
+import json
+from pathlib import Path
+
+import h5py
+import numpy as np
+import yaml
+
+NAMES = ("series.h5", "series.h5.partial")
+COORDINATES = ("time", "x", "y", "front_depth", "probe_name")
+
+
+class Series:
+    """A run's series of frames, read frame by frame on request. Also a context manager."""
+
+    def __init__(self, path):
+        path = Path(path)
+        self.file = next((path / name for name in NAMES if (path / name).is_file()), None) if path.is_dir() else path
+        if self.file is None or not self.file.is_file():
+            raise FileNotFoundError(f"{path}: no {' or '.join(NAMES)} here")
+        self.directory = self.file.parent
+        self._h5 = _open(self.file)
+        time = self._h5["time"][:]
+        # `time` is written last: a frame without one was cut short.
+        self.frames = int(np.count_nonzero(np.isfinite(time)))
+        self.time = time[:self.frames]                      # [s]
+        self.x = self._h5["x"][:]                           # [m] cell centres
+        self.y = self._h5["y"][:]                           # [m] cell centres
+        self.bed = self._static("bed", 0.0)                 # (y, x) [m]
+        self.max_depth = self._static("max_depth")          # (y, x) [m], None without output.maxima
+        self.max_speed = self._static("max_speed_over_time")  # (y, x) [m/s]
+        self.arrival_time = self._static("arrival_time")    # (y, x) [s], NaN: never
+        self.front_depths = self._read("front_depth")       # [m] thresholds that define the front
+        self.fronts = self._read("front")                   # (time, front_depth) [m]
+        self.reference_tip = self._read("reference_tip")    # (time) [m] exact tip
+        self.probe_names = [_text(name) for name in self._read("probe_name", ())]
+        self.numbers = {name: data[:self.frames] for name, data in self._h5.items()
+                        if data.shape == time.shape and name not in (*COORDINATES, "reference_tip")}
+        self.attributes = {name: _text(value) for name, value in self._h5.attrs.items()}
+        self.title = self.attributes.get("title", self.directory.name)
+        self.scene = yaml.safe_load(self.attributes.get("scene", "")) or {}
+        report = self.directory / "run.json"
+        self.report = json.loads(report.read_text()) if report.is_file() else {}
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._h5.close()
+
+    @property
+    def one_dimensional(self):
+        return self.y.size == 1
+
+    @property
+    def spacing(self):
+        """[m]"""
+        return float(self.x[1] - self.x[0]) if self.x.size > 1 else float(self.y[1] - self.y[0])
+
+    @property
+    def extent(self):
+        """[x_min, x_max, y_min, y_max] of the grid [m]."""
+        half = self.spacing / 2
+        return [self.x[0] - half, self.x[-1] + half, self.y[0] - half, self.y[-1] + half]
+
+    def depth(self, frame):
+        """(y, x) [m]"""
+        return self.field("depth", frame)
+
+    def velocity(self, frame):
+        """(u, v), each (y, x) [m/s]"""
+        return self.field("velocity_x", frame), self.field("velocity_y", frame)
+
+    def surface(self, frame):
+        """Depth plus bed, (y, x) [m]"""
+        return self.depth(frame) + self.bed
+
+    def field(self, name, frame):
+        """Any (time, y, x) field of the file at a frame; negative frames count from the end."""
+        if name not in self._h5:
+            raise KeyError(f"{self.file}: no '{name}' here: ask for it with output.fields and output.frames")
+        return self._h5[name][self._index(frame)]
+
+    def reference_depth(self, frame):
+        """Exact depth at a frame (x) [m], or None where no exact solution is known."""
+        if "reference_depth" not in self._h5:
+            return None
+        depth = self._h5["reference_depth"][self._index(frame)]
+        return depth if np.isfinite(depth).any() else None
+
+    def probe(self, name):
+        """What a probe saw: {"depth", "velocity_x", "velocity_y"}, one value a frame."""
+        column = self.probe_names.index(name)
+        return {key: self._h5["probe_" + key][:self.frames, column]
+                for key in ("depth", "velocity_x", "velocity_y") if "probe_" + key in self._h5}
+
+    def frame_at(self, time):
+        """The frame nearest to a time [s]."""
+        return int(np.argmin(np.abs(self.time - time)))
+
+    def errors(self):
+        """The run's errors against its references, as in run.json."""
+        errors = self.report.get("errors", self.report.get("error")) or []
+        return errors if isinstance(errors, list) else [errors]
+
+    def _index(self, frame):
+        if not -self.frames <= frame < self.frames:
+            raise IndexError(f"{self.file}: frame {frame} of {self.frames}")
+        return frame % self.frames
+
+    def _read(self, name, default=None):
+        if name not in self._h5:
+            return default
+        data = self._h5[name]
+        dimension = data.dims[0].keys() if data.ndim else []
+        return data[:self.frames] if "time" in dimension or name in ("front", "reference_tip") else data[:]
+
+    def _static(self, name, default=None):
+        if name in self._h5:
+            return self._h5[name][:]
+        return None if default is None else np.full((self.y.size, self.x.size), default)
+
+
+def _open(path):
+    """A finished file, or one that a run is still writing (single writer, many readers)."""
+    if path.suffix != ".partial":
+        return h5py.File(path, "r")
+    return h5py.File(path, "r", libver="latest", swmr=True)
+
+
+def _text(value):
+    if isinstance(value, np.ndarray) and value.size == 1:
+        value = value.reshape(-1)[0]
+    return value.decode() if isinstance(value, bytes) else value
+
+
+def read_table(path):
+    """Columns of a CSV file by their names, e.g. {"x_m": ..., "depth_m": ...}; `#` starts a comment."""
+    lines = [line.split("#")[0].strip() for line in Path(path).read_text().splitlines()]
+    names, *rows = [[word.strip() for word in line.split(",")] for line in lines if line]
+    return dict(zip(names, np.array(rows, dtype=float).T))
