@@ -1,0 +1,243 @@
+// The only file that includes CLI11: it takes seconds to compile, and it would exit with codes of its own.
+#include "cli/app.hpp"
+
+#include <sandsim_version.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/help.hpp"
+#include "cli/text.hpp"
+#include "solver/errors.hpp"
+
+namespace sandsim::cli {
+
+namespace {
+
+/// The options of every command, and the command that was chosen.
+struct Arguments {
+  RunArguments run;
+  CheckArguments check;
+  InfoArguments info;
+  SchemaArguments schema;
+  BenchArguments bench;
+  std::function<ExitCode(Console&)> command;
+};
+
+/// Accepts the given words only; CLI11's own check for this prints how it stores them.
+std::function<std::string(const std::string&)> one_of(std::vector<std::string> words) {
+  return [words](const std::string& text) -> std::string {
+    const bool known = std::find(words.begin(), words.end(), text) != words.end();
+    return known ? "" : "'" + text + "' is none of " + join(", ", words);
+  };
+}
+
+void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
+  command.add_option("SCENE", scene, "Scene file, or a folder that holds a scene.yaml")->required();
+  // One value each, or `--set a=1 scene.yaml` would take the scene for a second value.
+  command.add_option("--set", overrides, "Override a value of the scene, as in 'time.end=2 s'; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_precision(CLI::App& command, std::optional<std::string>& precision, const std::string& meaning) {
+  command.add_option("--precision", precision, meaning)
+      ->type_name("float32|float64")
+      ->check(one_of({"float32", "float64"}));
+}
+
+void add_threads(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "Threads; all processors if absent. Results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
+void add_wall_limit(CLI::App& command, double& limit) {
+  const auto read = [&limit](const std::string& text) {
+    const std::optional<double> seconds = parse_wall_clock(text);
+    if (!seconds) {
+      throw CLI::ValidationError("--max-wall", "'" + text + "' is not HH:MM:SS, as in 01:30:00 for an hour and a half");
+    }
+    limit = *seconds;
+  };
+  command.add_option_function<std::string>("--max-wall", read, "End after this much time, with a checkpoint")
+      ->type_name("HH:MM:SS");
+}
+
+void add_run(CLI::App& app, Arguments& all) {
+  RunArguments& run = all.run;
+  CLI::App& command = *app.add_subcommand("run", "Run a scene");
+  add_scene(command, run.scene, run.overrides);
+  command.add_option("-o,--output", run.output, "Output directory; results/NAME if absent (see below)")
+      ->type_name("DIR");
+  const auto choose_device = [&run](const std::string& name) {
+    run.device = name == "cuda" ? Device::cuda : name == "cpu" ? Device::cpu : Device::automatic;
+  };
+  command
+      .add_option_function<std::string>("--device", choose_device, "auto takes the fastest there is; auto if absent")
+      ->type_name("auto|cpu|cuda")
+      ->check(one_of({"auto", "cpu", "cuda"}));
+  add_threads(command, run.threads);
+  add_precision(command, run.precision, "Override numerics.precision");
+  CLI::Option* resume = command.add_flag("--resume", run.resume, "Go on from DIR's checkpoint.h5");
+  command.add_flag("--overwrite", run.overwrite, "Remove the results of an earlier run from DIR")->excludes(resume);
+  add_wall_limit(command, run.max_wall);
+  command.add_flag("--json", run.json, "Print the run report (run.json) instead of the summary");
+  CLI::Option* quiet = command.add_flag("-q,--quiet", run.quiet, "No progress, summary or warnings; errors only");
+  command.add_flag("-v,--verbose", run.verbose, "Say what is chosen and done, on standard error")->excludes(quiet);
+  command.footer(help::run);
+  command.callback([&all] { all.command = [&all](Console& console) { return run_command(all.run, console); }; });
+}
+
+void add_check(CLI::App& app, Arguments& all) {
+  CLI::App& command = *app.add_subcommand("check", "Validate a scene and say what running it would take");
+  add_scene(command, all.check.scene, all.check.overrides);
+  command.footer(help::check);
+  command.callback([&all] { all.command = [&all](Console& console) { return check_command(all.check, console); }; });
+}
+
+void add_info(CLI::App& app, Arguments& all) {
+  CLI::App& command = *app.add_subcommand("info", "What a result holds, and how its run went");
+  command.add_option("RESULT", all.info.result, "Results directory or series file")->required();
+  command.footer(help::info);
+  command.callback([&all] { all.command = [&all](Console& console) { return info_command(all.info, console); }; });
+}
+
+void add_schema(CLI::App& app, Arguments& all) {
+  CLI::App& command = *app.add_subcommand("schema", "Print the JSON Schema of the scene format");
+  command.add_flag("--reference", all.schema.reference, "Print the format's reference page (Markdown) instead");
+  command.footer(help::schema);
+  command.callback([&all] { all.command = [&all](Console& console) { return schema_command(all.schema, console); }; });
+}
+
+void add_devices(CLI::App& app, Arguments& all) {
+  CLI::App& command = *app.add_subcommand("devices", "List what sandsim can run on");
+  command.footer(help::devices);
+  command.callback([&all] { all.command = devices_command; });
+}
+
+void add_bench(CLI::App& app, Arguments& all) {
+  BenchArguments& bench = all.bench;
+  CLI::App& command = *app.add_subcommand("bench", "Measure the step against this machine's copy bandwidth");
+  command.add_option("--size", bench.size, "Cells along each side")
+      ->type_name("N")
+      ->check(CLI::Range(16, 32768))
+      ->capture_default_str();
+  add_threads(command, bench.threads);
+  command.add_option("--repeats", bench.repeats, "Measurements of each number")
+      ->type_name("K")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  add_precision(command, bench.precision, "Only this precision; both if absent");
+  command.add_flag("--quick", bench.quick, "Small grids and few repeats: seconds, but rough numbers");
+  command.add_flag("--json", bench.json, "Print the numbers as JSON");
+  command.footer(help::bench);
+  command.callback([&all] { all.command = [&all](Console& console) { return bench_command(all.bench, console); }; });
+}
+
+void add_everything(CLI::App& app, Arguments& all) {
+  app.set_version_flag("--version", "sandsim " SANDSIM_VERSION " (" SANDSIM_COMMIT ")", "Print the version and exit");
+  app.require_subcommand(1);
+  app.footer(help::program);
+  app.get_formatter()->column_width(34);
+  add_run(app, all);
+  add_check(app, all);
+  add_info(app, all);
+  add_schema(app, all);
+  add_devices(app, all);
+  add_bench(app, all);
+}
+
+void print_error(std::ostream& err, const std::string& message) {
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) {
+    // Indented lines continue the one before.
+    const bool continued = line.starts_with(' ');
+    err << (continued ? "" : "sandsim: error: ") << line << '\n';
+  }
+  err << std::flush;
+}
+
+int usage_error(std::ostream& err, const CLI::App& app, const std::string& message) {
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+  print_error(err, message + "\n  'sandsim" + command + " --help' shows the usage");
+  return static_cast<int>(ExitCode::usage);
+}
+
+/// CLI11 only says that an argument was not expected; a missing or misspelt command deserves the list.
+std::optional<std::string> wrong_command(const CLI::App& app, std::span<const std::string> args) {
+  if (!args.empty() && args[0].starts_with("-")) {
+    return std::nullopt;
+  }
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  if (!args.empty() && std::find(names.begin(), names.end(), args[0]) != names.end()) {
+    return std::nullopt;
+  }
+  const std::string problem = args.empty() ? "no command" : "unknown command '" + args[0] + "'";
+  return problem + "; the commands are " + join(", ", names);
+}
+
+int run_chosen(const Arguments& arguments, Console& console) {
+  try {
+    return static_cast<int>(arguments.command(console));
+  } catch (const Error& error) {
+    print_error(console.err, error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    print_error(console.err, "out of memory: make the grid smaller, or run on a machine with more memory");
+    return static_cast<int>(ExitCode::device);
+  } catch (const std::filesystem::filesystem_error& error) {
+    print_error(console.err, error.what());
+    return static_cast<int>(ExitCode::output);
+  } catch (const std::exception& error) {
+    print_error(console.err, std::string("internal error: ") + error.what() +
+                                 "\n  This is a bug in sandsim " SANDSIM_VERSION " (" SANDSIM_COMMIT
+                                 "): please report it with the scene and log.txt");
+    return internal_error;
+  }
+}
+
+}  // namespace
+
+int run_app(std::span<const std::string> args, std::ostream& out, std::ostream& err) {
+  CLI::App app("Dry granular flow on a height field.", "sandsim");
+  Arguments arguments;
+  add_everything(app, arguments);
+  if (const auto message = wrong_command(app, args)) {
+    return usage_error(err, app, *message);
+  }
+  try {
+    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them from the back.
+  } catch (const CLI::CallForVersion& version) {
+    out << version.what() << '\n';
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::CallForHelp&) {
+    out << app.help();
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(err, app, error.what());
+  }
+  Console console{out, err, &err == &std::cerr && isatty(STDERR_FILENO) == 1};
+  const int code = run_chosen(arguments, console);
+  out.flush();
+  if (code == static_cast<int>(ExitCode::done) && !out) {
+    print_error(err, "cannot write to standard output");
+    return static_cast<int>(ExitCode::output);
+  }
+  return code;
+}
+
+}  // namespace sandsim::cli

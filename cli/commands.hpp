@@ -1,0 +1,25 @@
+// The subcommands of sandsim. Each prints its results to the console and returns the exit code, or throws an Error.
+#pragma once
+
+#include <iosfwd>
+
+#include "cli/options.hpp"
+#include "solver/report.hpp"
+
+namespace sandsim::cli {
+
+/// Where a command prints.
+struct Console {
+  std::ostream& out;      // results
+  std::ostream& err;      // progress, warnings, errors
+  bool terminal = false;  // whether `err` is a terminal, so that a progress bar makes sense
+};
+
+ExitCode run_command(const RunArguments& arguments, Console& console);
+ExitCode check_command(const CheckArguments& arguments, Console& console);
+ExitCode info_command(const InfoArguments& arguments, Console& console);
+ExitCode schema_command(const SchemaArguments& arguments, Console& console);
+ExitCode devices_command(Console& console);
+ExitCode bench_command(const BenchArguments& arguments, Console& console);
+
+}  // namespace sandsim::cli

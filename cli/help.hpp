@@ -1,0 +1,89 @@
+// What `--help` says below the list of options: examples and rules.
+#pragma once
+
+namespace sandsim::cli::help {
+
+inline constexpr const char* program = R"(Examples:
+  sandsim run scenes/flume/scene.yaml          solve it; results go to results/flume
+  sandsim check scenes/flume/scene.yaml        what it needs, before it runs
+  sandsim info results/flume                   what came out, and how the run went
+  sandsim COMMAND --help                       more about a command
+
+Exit codes:
+    0  done
+    1  usage: the command line is wrong
+    2  invalid scene
+    3  missing or unreadable input
+    4  no such device, or too little memory
+    5  numerical failure; the last good frame is kept
+    6  output: disk full, no permission, directory not empty
+    7  wall-clock limit reached, checkpoint written
+   70  internal error: a bug in sandsim
+  130  interrupted (Ctrl-C, SIGTERM, SIGHUP), checkpoint written)";
+
+inline constexpr const char* run = R"(Output:
+  DIR holds scene.resolved.yaml, run.json (the report), series.h5 with series.xdmf, and log.txt.
+  Without -o, DIR is results/NAME in the current directory; NAME is the scene file's name without its
+  extension, or the name of its folder if the file is called scene.yaml.
+  A DIR that is not empty is refused without --resume or --overwrite.
+
+Stopping and going on:
+  The first Ctrl-C (or SIGTERM, SIGHUP) ends the run after its current step, the second kills it.
+  An interrupted run, and one that reaches --max-wall, leave checkpoint.h5 and the frames so far in
+  series.h5.partial, which every reader of series.h5 opens. Run the same command with --resume: the result
+  is the same, bit for bit, as that of a run that was never interrupted. checkpoint.h5 goes when the run is
+  done, and series.h5.partial becomes series.h5.
+
+Examples:
+  sandsim run scenes/flume/scene.yaml
+  sandsim run scene.yaml -o results/fine --set 'grid.spacing=5 mm' --set 'grid.cells=[320, 1]'
+  sandsim run scene.yaml --precision float64 --threads 4 -v
+  sandsim run scene.yaml --max-wall 08:00:00        and later, to go on:
+  sandsim run scene.yaml --max-wall 08:00:00 --resume
+  sandsim run scene.yaml --json -q > report.json
+
+Exit codes: see sandsim --help.)";
+
+inline constexpr const char* check =
+    R"(Nothing is run and nothing is written. The number of steps is an estimate: it takes the stable step of the
+initial state for all of the run.
+
+Examples:
+  sandsim check scenes/flume/scene.yaml
+  sandsim check scene.yaml --set numerics.scheme=paper --set 'time.end=1 s')";
+
+inline constexpr const char* info = R"(RESULT is a results directory, or a series.h5 or series.h5.partial in one.
+
+Examples:
+  sandsim info results/flume
+  sandsim info results/flume/series.h5)";
+
+inline constexpr const char* schema =
+    R"(Editors complete and check scenes with it. For VS Code and others with a YAML language server:
+  sandsim schema > sandsim.schema.json
+and as the first line of a scene:
+  # yaml-language-server: $schema=sandsim.schema.json
+
+Examples:
+  sandsim schema > sandsim.schema.json
+  sandsim schema --reference > scene_format.md)";
+
+inline constexpr const char* devices = R"(Example:
+  sandsim devices)";
+
+inline constexpr const char* bench = R"(Three measurements:
+  - the copy bandwidth of this machine: arrays much larger than the last-level cache, ordinary (not
+    non-temporal) stores, bytes counted as read + written;
+  - the speed of the step on SIZE x SIZE cells that all move, periodic, on flat and on wavy terrain, for the
+    paper scheme and the balanced scheme of order 1 and 2. The floor is the time to copy 28 bytes a cell in
+    float32, 56 in float64 (three fields and their largest wave speed in, three out), and the bed's 4 or 8
+    more where the terrain is not flat;
+  - the time from the start of a run to its first step.
+Numbers are medians of the repeats, with the range from the slowest to the fastest.
+
+Examples:
+  sandsim bench
+  sandsim bench --threads 1 --precision float32
+  sandsim bench --quick --json)";
+
+}  // namespace sandsim::cli::help

@@ -1,0 +1,71 @@
+#include "cli/machine.hpp"
+
+#include <omp.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+namespace sandsim::cli {
+
+namespace {
+
+/// The text behind the colon of the first line that begins with `key`.
+std::optional<std::string> find_entry(const char* file, std::string_view key) {
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(':');
+    if (line.starts_with(key) && colon != std::string::npos) {
+      const std::size_t begin = line.find_first_not_of(" \t", colon + 1);
+      return begin == std::string::npos ? "" : line.substr(begin);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool has_cuda_backend() {
+  return false;
+}
+
+std::string processor_name() {
+  return find_entry("/proc/cpuinfo", "model name").value_or("unknown processor");
+}
+
+int default_threads() {
+  return omp_get_max_threads();
+}
+
+std::string vector_instructions() {
+#if defined(__AVX512F__)
+  return "AVX-512 (512 bit)";
+#elif defined(__AVX2__)
+  return "AVX2 (256 bit)";
+#elif defined(__AVX__)
+  return "AVX (256 bit)";
+#elif defined(__SSE2__)
+  return "SSE2 (128 bit)";
+#elif defined(__ARM_NEON)
+  return "NEON (128 bit)";
+#else
+  return "no vector instructions";
+#endif
+}
+
+std::size_t last_level_cache() {
+  const long level_3 = sysconf(_SC_LEVEL3_CACHE_SIZE);
+  const long level_2 = sysconf(_SC_LEVEL2_CACHE_SIZE);
+  const long largest = std::max(level_2, level_3);
+  return largest > 0 ? static_cast<std::size_t>(largest) : std::size_t{32} << 20;
+}
+
+double available_memory() {
+  const std::optional<std::string> kibibytes = find_entry("/proc/meminfo", "MemAvailable");
+  return kibibytes ? 1024.0 * std::strtod(kibibytes->c_str(), nullptr) : 0.0;
+}
+
+}  // namespace sandsim::cli

@@ -1,0 +1,27 @@
+// What the machine is, as far as `devices` and `bench` say it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace sandsim::cli {
+
+/// Whether this sandsim has a CUDA backend.
+bool has_cuda_backend();
+
+/// Model name of the processor, or "unknown processor".
+std::string processor_name();
+
+/// Threads that a run takes if it is not told how many.
+int default_threads();
+
+/// Widest vectors that sandsim was compiled for, e.g. "AVX-512 (512 bit)".
+std::string vector_instructions();
+
+/// [B] Size of the last-level cache, or 32 MiB if the system does not tell.
+std::size_t last_level_cache();
+
+/// [B] Memory that can be had without swapping; 0 if the system does not tell.
+double available_memory();
+
+}  // namespace sandsim::cli

@@ -1,0 +1,49 @@
+// What the command line says, as plain values: filled in by app.cpp, read by the commands.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sandsim::cli {
+
+enum class Device { automatic, cpu, cuda };
+
+struct RunArguments {
+  std::string scene;                   // file, or folder that holds a scene.yaml
+  std::string output;                  // directory; empty: results/NAME
+  std::vector<std::string> overrides;  // "a.b=v", in the order given
+  std::optional<std::string> precision;
+  Device device = Device::automatic;
+  int threads = 0;  // 0: all
+  bool resume = false;
+  bool overwrite = false;
+  double max_wall = 0.0;  // [s] 0: no limit
+  bool json = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+struct CheckArguments {
+  std::string scene;
+  std::vector<std::string> overrides;
+};
+
+struct InfoArguments {
+  std::string result;
+};
+
+struct SchemaArguments {
+  bool reference = false;  // the Markdown page instead of the JSON Schema
+};
+
+struct BenchArguments {
+  int size = 2048;  // cells along each side
+  int threads = 0;  // 0: all
+  int repeats = 5;
+  std::optional<std::string> precision;  // absent: both
+  bool quick = false;                    // small and short: shows that it works, measures little
+  bool json = false;
+};
+
+}  // namespace sandsim::cli

@@ -1,0 +1,111 @@
+#include "cli/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/text.hpp"
+
+namespace sandsim::cli {
+
+namespace {
+
+std::string line(const std::string& name, const std::string& value) {
+  return fmt::format("  {:<11} {}\n", name, value);
+}
+
+std::string status_line(const Scene& scene, const RunReport& report) {
+  std::string text = report.status;
+  if (report.at_rest) {
+    text +=
+        fmt::format("{}everything still since {:.6g} s", report.status == "at rest" ? ": " : ", ", report.stop_time);
+  } else if (report.exit_code == ExitCode::done) {
+    text += ", still moving";
+  } else if (!report.message.empty()) {
+    text += ": " + report.message;
+  }
+  if (scene.time.stop_at_rest && report.exit_code == ExitCode::done && !report.at_rest) {
+    text += " at the end of the time given";
+  }
+  return line("status", text);
+}
+
+std::string time_lines(const Scene& scene, const RunReport& report) {
+  std::string text =
+      line("simulated", fmt::format("{:.6g} s of {:.6g} s in {} steps of {} to {}; {} frames", report.simulated_time,
+                                    scene.time.end, format_count(report.steps), format_duration(report.dt_min),
+                                    format_duration(report.dt_max), format_count(report.frames)));
+  const std::string order = scene.numerics.scheme == Scheme::balanced ? fmt::format(" order {}", report.order) : "";
+  text += line("run", fmt::format("{}, {}; {} with {} thread{}, {}, {}{}", format_duration(report.wall_time),
+                                  format_rate(report.cell_steps_per_second), report.device, report.threads,
+                                  report.threads == 1 ? "" : "s", report.precision, report.scheme, order));
+  std::vector<std::string> stages;
+  for (const StageReport& stage : report.stages) {
+    stages.push_back(fmt::format("{} {}", stage.name, format_duration(stage.seconds)));
+  }
+  if (!stages.empty()) {
+    text += line("stages", join(", ", stages));
+  }
+  return text;
+}
+
+std::string volume_line(const Ledger& ledger) {
+  std::string text = fmt::format("{:.6g} m^3, relative error {:.1e}", ledger.final, ledger.error());
+  if (ledger.in != 0.0 || ledger.out != 0.0) {
+    text += fmt::format("; in {:.4g}, out {:.4g} m^3", ledger.in, ledger.out);
+  }
+  text += ledger.clipped == 0.0 ? "; nothing clipped" : fmt::format("; clipped {:.3g} m^3", ledger.clipped);
+  return line("volume", text);
+}
+
+std::string front_text(const ErrorReport::Front& front) {
+  std::string text = front.depth == 0.0 ? std::string("tip") : fmt::format("front at {:.4g} m deep", front.depth);
+  text += std::isfinite(front.computed) ? fmt::format(" {:.5g} m", front.computed) : " none";
+  if (front.reference) {
+    text += fmt::format(" (reference {:.5g} m, {:+.2g} m)", *front.reference, front.computed - *front.reference);
+  }
+  return text;
+}
+
+std::string error_lines(const ErrorReport& error) {
+  std::vector<std::string> parts;
+  if (error.l1_relative) {
+    parts.push_back(fmt::format("L1 {:.3g} % of the depth", 100.0 * *error.l1_relative));
+  } else if (error.l1) {
+    parts.push_back(fmt::format("L1 {:.3g} m^2", *error.l1));
+  }
+  if (error.linf) {
+    parts.push_back(fmt::format("largest {:.3g} m", *error.linf));
+  }
+  for (const ErrorReport::Front& front : error.fronts) {
+    parts.push_back(front_text(front));
+  }
+  if (!error.note.empty()) {
+    parts.push_back(error.note);
+  }
+  const std::string against = error.against.empty() ? "" : fmt::format("{} at {:.4g} s: ", error.against, error.time);
+  return line(error.against.empty() ? "fronts" : "against", against + join("; ", parts));
+}
+
+}  // namespace
+
+std::string run_summary(const Scene& scene, const RunReport& report, const std::vector<std::string>& files) {
+  const std::string cells = fmt::format("{} x {} cells", scene.grid.cells[0], scene.grid.cells[1]);
+  std::string text = scene.title.empty() ? cells + "\n" : fmt::format("{} ({})\n", scene.title, cells);
+  text += status_line(scene, report);
+  text += time_lines(scene, report);
+  text += volume_line(report.ledger);
+  if (report.at_rest) {
+    text +=
+        line("slopes", report.max_slope_violation > 0.0
+                           ? fmt::format("steepest face {:.1e} above what friction holds", report.max_slope_violation)
+                           : std::string("no face is steeper than friction holds"));
+  }
+  for (const ErrorReport& error : report.errors) {
+    text += error_lines(error);
+  }
+  text += line("files", join(", ", files));
+  return text;
+}
+
+}  // namespace sandsim::cli
