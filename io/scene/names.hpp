@@ -1,0 +1,126 @@
+// The words that scenes use for enumerators and for the kinds of terrain, sand and references.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "solver/scene.hpp"
+
+namespace sandsim {
+
+/// Names of an enumeration's values, in their order.
+template <class E>
+struct EnumNames;
+
+template <>
+struct EnumNames<Precision> {
+  static constexpr std::array names{"float32", "float64"};
+};
+template <>
+struct EnumNames<Scheme> {
+  static constexpr std::array names{"balanced", "paper"};
+};
+template <>
+struct EnumNames<MomentumFlux> {
+  static constexpr std::array names{"full", "printed"};
+};
+template <>
+struct EnumNames<VelocityForm> {
+  static constexpr std::array names{"quotient", "desingularised"};
+};
+template <>
+struct EnumNames<BoundaryKind> {
+  static constexpr std::array names{"wall", "open", "periodic"};
+};
+template <>
+struct EnumNames<HbarPolicy> {
+  static constexpr std::array names{"full", "constant", "scaled", "truncated"};
+};
+template <>
+struct EnumNames<TimeMode> {
+  static constexpr std::array names{"adaptive", "fixed"};
+};
+template <>
+struct EnumNames<OutputField> {
+  static constexpr std::array names{"depth", "velocity", "surface", "momentum"};
+};
+template <>
+struct EnumNames<Compression> {
+  static constexpr std::array names{"none", "gzip"};
+};
+
+template <class E>
+std::vector<std::string> enum_names() {
+  return {EnumNames<E>::names.begin(), EnumNames<E>::names.end()};
+}
+template <class E>
+const char* enum_name(E value) {
+  return EnumNames<E>::names[static_cast<std::size_t>(value)];
+}
+
+/// The `type` under which a scene names one kind of a thing, and what it is.
+template <class T>
+struct TypeName;
+
+template <>
+struct TypeName<FlatTerrain> {
+  static constexpr const char* name = "flat";
+  static constexpr const char* purpose = "A level bed.";
+};
+template <>
+struct TypeName<PlaneTerrain> {
+  static constexpr const char* name = "plane";
+  static constexpr const char* purpose = "A bed that falls evenly along a direction.";
+};
+template <>
+struct TypeName<RasterTerrain> {
+  static constexpr const char* name = "raster";
+  static constexpr const char* purpose = "A bed read from a file, in metres, resampled bilinearly at the cell centres.";
+};
+template <>
+struct TypeName<SandBox> {
+  static constexpr const char* name = "box";
+  static constexpr const char* purpose =
+      "A rectangle; cells partly inside get the covered fraction. With one row only x counts.";
+};
+template <>
+struct TypeName<SandColumn> {
+  static constexpr const char* name = "column";
+  static constexpr const char* purpose = "A disc.";
+};
+template <>
+struct TypeName<SandCone> {
+  static constexpr const char* name = "cone";
+  static constexpr const char* purpose = "A cone of sand whose depth falls evenly from the centre to the rim.";
+};
+template <>
+struct TypeName<SandLayer> {
+  static constexpr const char* name = "layer";
+  static constexpr const char* purpose = "Sand everywhere.";
+};
+template <>
+struct TypeName<SandRaster> {
+  static constexpr const char* name = "raster";
+  static constexpr const char* purpose =
+      "Depths read from a file, in metres, resampled bilinearly at the cell centres.";
+};
+template <>
+struct TypeName<DamBreakReference> {
+  static constexpr const char* name = "dam_break";
+  static constexpr const char* purpose =
+      "Dam break on a uniform slope with friction, hbar = scale h (Ritter; Mangeney et al. 2000). Sand at smaller x.";
+};
+template <>
+struct TypeName<StokerReference> {
+  static constexpr const char* name = "stoker";
+  static constexpr const char* purpose = "Stoker's dam break onto a layer, without friction, hbar = h.";
+};
+template <>
+struct TypeName<TwoLayerDamBreakReference> {
+  static constexpr const char* name = "two_layer_dam_break";
+  static constexpr const char* purpose =
+      "Dam break of the two-layer model, hbar = min(scale h, cap); with friction only the tip.";
+};
+
+}  // namespace sandsim

@@ -1,0 +1,272 @@
+#include "io/scene/reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "io/raster/read_csv.hpp"
+#include "io/raster/read_raster.hpp"
+#include "solver/errors.hpp"
+
+namespace sandsim {
+
+namespace {
+
+const char* kind_name(Node::Kind kind) {
+  switch (kind) {
+    case Node::Kind::null:
+      return "nothing";
+    case Node::Kind::scalar:
+      return "a single value";
+    case Node::Kind::list:
+      return "a list";
+    case Node::Kind::map:
+      break;
+  }
+  return "a map";
+}
+
+bool contains(const std::string& outer, const std::string& inner) {
+  return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.');
+}
+
+Complaint out_of_range(const Rule& rule) {
+  return {"out of range", "valid: " + rule.bounds_text(), ""};
+}
+
+}  // namespace
+
+Reading::Reading(Problems& problems, std::filesystem::path directory, std::vector<std::string>* warnings)
+    : problems_(problems), directory_(std::move(directory)), warnings_(warnings) {}
+
+// ---- messages -------------------------------------------------------------------------------------------------------
+std::string Reading::as_written(std::string path) const {
+  for (const std::string& single : singles_) {
+    if (contains(single + ".0", path)) path.erase(single.size(), 2);
+  }
+  return path;
+}
+
+void Reading::complain(const Node& node, const std::string& path, const Complaint& complaint) {
+  failed_.insert(path);
+  problems_.add(node.position, shown(as_written(path), 200) + " = " + shown(node), complaint);
+}
+
+void Reading::complain_key(const Position& position, const std::string& path, const Complaint& complaint) {
+  failed_.insert(path);
+  problems_.add(position, shown(as_written(path), 200), complaint);
+}
+
+void Reading::complain_input(const Node& node, const std::string& path, const Complaint& complaint) {
+  failed_.insert(path);
+  problems_.add_input(node.position, as_written(path) + " = " + shown(node), complaint);
+}
+
+void Reading::warn(const Node& node, const std::string& path, const Complaint& complaint) {
+  if (warnings_ == nullptr) return;
+  warnings_->push_back(problems_.format(node.position, as_written(path) + " = " + shown(node), complaint));
+}
+
+bool Reading::failed(const std::string& path) const {
+  return std::any_of(failed_.begin(), failed_.end(),
+                     [&](const std::string& other) { return contains(other, path) || contains(path, other); });
+}
+
+void Reading::complain_at(const std::string& path, const Complaint& complaint) {
+  if (const auto found = given_.find(path); found != given_.end()) {
+    complain(*found->second, path, complaint);
+    return;
+  }
+  Position position{1, 1, -1};
+  for (std::size_t dot = path.rfind('.'); dot != std::string::npos && dot > 0; dot = path.rfind('.', dot - 1)) {
+    const auto found = given_.find(path.substr(0, dot));
+    if (found == given_.end()) continue;
+    position = found->second->position;
+    break;
+  }
+  complain_key(position, path, complaint);
+}
+
+bool Reading::expect(const Node& node, const std::string& path, Node::Kind kind, const std::string& like) {
+  if (node.kind == kind) return true;
+  complain(node, path,
+           {std::string(kind_name(kind)) + " is needed, not " + kind_name(node.kind), "",
+            like.empty() ? "" : "Write it like " + like + "."});
+  return false;
+}
+
+// ---- numbers and words ----------------------------------------------------------------------------------------------
+void Reading::parse(const Node& node, const std::string& path, double& target, const Rule& rule) {
+  if (!expect(node, path, Node::Kind::scalar, rule.example())) return;
+  if (node.quoted && rule.dimension == Dimension::none) {
+    complain(node, path, {"a number is needed, not text", "it is in quotes", "Remove the quotes."});
+    return;
+  }
+  const Parsed<double> parsed = parse_quantity(node.text, rule.dimension, rule.has_cells ? cell_ : 0.0);
+  if (const Complaint* complaint = std::get_if<Complaint>(&parsed)) {
+    complain(node, path, *complaint);
+    return;
+  }
+  const double value = std::get<double>(parsed);
+  if (!rule.holds(value)) {
+    complain(node, path, out_of_range(rule));
+    return;
+  }
+  target = value;
+  if (path == "grid.spacing") cell_ = value;
+}
+
+void Reading::parse(const Node& node, const std::string& path, int& target, const Rule& rule) {
+  if (!expect(node, path, Node::Kind::scalar, rule.example())) return;
+  if (node.quoted) {
+    complain(node, path, {"a number is needed, not text", "it is in quotes", "Remove the quotes."});
+    return;
+  }
+  const Parsed<int> parsed = parse_count(node.text);
+  if (const Complaint* complaint = std::get_if<Complaint>(&parsed)) {
+    complain(node, path, *complaint);
+  } else if (const int value = std::get<int>(parsed); !rule.holds(value)) {
+    complain(node, path, out_of_range(rule));
+  } else {
+    target = value;
+  }
+}
+
+void Reading::parse(const Node& node, const std::string& path, bool& target, const Rule&) {
+  if (!expect(node, path, Node::Kind::scalar, "true")) return;
+  if (node.quoted || (node.text != "true" && node.text != "false")) {
+    complain(node, path, {"true or false is needed", "no other word is read as one of them", ""});
+    return;
+  }
+  target = node.text == "true";
+}
+
+void Reading::parse(const Node& node, const std::string& path, std::string& target, const Rule& rule) {
+  if (!expect(node, path, Node::Kind::scalar, rule.example_text)) return;
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  if (std::any_of(node.text.begin(), node.text.end(), is_control)) {
+    complain(node, path, {"control characters", "text is one line of printable characters", ""});
+  } else if (rule.is_required && node.text.empty()) {
+    complain(node, path, {"empty text", "a name is needed", ""});
+  } else {
+    target = node.text;
+  }
+}
+
+std::size_t Reading::parse_name(const Node& node, const std::string& path, const std::vector<std::string>& names) {
+  if (!expect(node, path, Node::Kind::scalar, names.front())) return npos;
+  const auto found = std::find(names.begin(), names.end(), node.text);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string near = nearest(node.text, names);
+  complain(node, path,
+           {"unknown value", "",
+            (near.empty() ? "" : "Did you mean '" + near + "'? ") + "Valid: " + alternatives(names) + '.'});
+  return npos;
+}
+
+// ---- files ----------------------------------------------------------------------------------------------------------
+std::filesystem::path Reading::find_file(const Node& node, const std::string& path, const Rule& rule) {
+  if (node.kind != Node::Kind::scalar || node.text.empty() || node.text.find('\0') != std::string::npos) {
+    complain(node, path, {"the name of a file is needed", "", "Write it like " + rule.example() + "."});
+    return {};
+  }
+  const std::filesystem::path full = directory_ / node.text;
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(full, error);
+  if (std::filesystem::is_regular_file(status)) return full;
+  if (std::filesystem::exists(status)) {
+    complain_input(node, path, {"not a file", shown(full.string(), 200), ""});
+    return {};
+  }
+  const Complaint missing{"the file is missing", "looked for " + shown(full.string(), 200), ""};
+  if (rule.may_be_missing) {
+    warn(node, path, missing);
+  } else {
+    complain_input(node, path, missing);
+  }
+  return {};
+}
+
+std::shared_ptr<const Raster> Reading::load(const Node& node, const std::string& path, const Rule& rule) {
+  const std::filesystem::path full = find_file(node, path, rule);
+  if (full.empty()) return std::make_shared<Raster>();
+  auto raster = std::make_shared<Raster>();
+  try {
+    *raster = read_raster(full);
+  } catch (const InputError& error) {
+    complain_input(node, path, {"the raster cannot be read", error.what(), ""});
+    return std::make_shared<Raster>();
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = -smallest;
+  for (double& value : raster->values) {
+    if (rule.dimension == Dimension::angle) value = value * std::numbers::pi / 180;
+    if (std::isnan(value)) continue;  // no data here
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+  }
+  if (smallest <= largest && !(rule.holds(smallest) && rule.holds(largest))) {
+    complain(node, path,
+             {"the raster holds values out of range",
+              "from " + quantity_text(smallest, rule.dimension) + " to " + quantity_text(largest, rule.dimension) +
+                  "; valid: " + rule.bounds_text(),
+              ""});
+  }
+  return raster;
+}
+
+void Reading::parse(const Node& node, const std::string& path, RasterFile& target, const Rule& rule) {
+  target = {node.text, load(node, path, rule)};
+}
+
+void Reading::parse(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule) {
+  if (node.kind != Node::Kind::map) {
+    double value = 0.0;
+    parse(node, path, value, rule);
+    target = value;
+    return;
+  }
+  // The values of a map have no unit of their own, so that it is stated beside the file.
+  const std::string unit = rule.dimension == Dimension::angle ? "deg" : rule.dimension == Dimension::length ? "m" : "";
+  const std::string like = unit.empty() ? "{raster: map.asc}" : "{raster: map.asc, unit: " + unit + "}";
+  for (const Node& child : node.children) {
+    if (child.key == "raster" || (child.key == "unit" && !unit.empty())) continue;
+    complain_key(child.position, path + '.' + child.key, {"unknown key", "", "Write the map like " + like + "."});
+  }
+  if (const Node* given = node.find("unit"); given != nullptr && !unit.empty()) {
+    parse_name(*given, path + ".unit", {unit});
+  } else if (!unit.empty()) {
+    complain_key(node.position, path + ".unit", {"missing", "no unit is assumed", "Write the map like " + like + "."});
+  }
+  const Node* raster = node.find("raster");
+  if (raster == nullptr) {
+    complain_key(node.position, path + ".raster", {"missing", "the file of the map", "Write it like " + like + "."});
+    return;
+  }
+  target = RasterFile{raster->text, load(*raster, path + ".raster", rule)};
+}
+
+template <class Table, class Read>
+void Reading::parse_table(const Node& node, const std::string& path, Table& target, const Rule& rule, Read read) {
+  const std::filesystem::path full = find_file(node, path, rule);
+  if (!full.empty()) {
+    try {
+      target = read(full);
+    } catch (const InputError& error) {
+      complain_input(node, path, {"the table cannot be read", error.what(), ""});
+    }
+  }
+  target.file = node.text;
+}
+
+void Reading::parse(const Node& node, const std::string& path, Profile& target, const Rule& rule) {
+  parse_table(node, path, target, rule, [](const std::filesystem::path& full) { return read_profile_csv(full); });
+}
+
+void Reading::parse(const Node& node, const std::string& path, FrontCurve& target, const Rule& rule) {
+  parse_table(node, path, target, rule, [](const std::filesystem::path& full) { return read_front_csv(full); });
+}
+
+}  // namespace sandsim
