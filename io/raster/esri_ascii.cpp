@@ -129,7 +129,8 @@ std::size_t size_of(const SourceText& source, const Header& header, Key key) {
   const std::string_view token = header.value[key];
   std::uint64_t count = 0;
   const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), count);
-  if (stop != token.data() + token.size() || error == std::errc::invalid_argument || count == 0) {
+  if (stop != token.data() + token.size() || error == std::errc::invalid_argument ||
+      (error == std::errc{} && count == 0)) {
     source.fail(token, fmt::format("{} = {} is not a positive integer", key_names[key], in_quotes(token)));
   }
   if (error == std::errc::result_out_of_range || count > most_raster_values) {
@@ -176,10 +177,10 @@ class NoData {
   }
   bool given() const { return given_; }
   bool is_nan() const { return given_ && std::isnan(value_); }
-  /// Writers round the header and the values to different numbers of digits (-3.4028235e38): single precision decides.
+  /// Writers round the header and the values to different numbers of digits (-3.402823e38): seven digits decide.
   bool matches(double value) const {
-    constexpr double single_precision = std::numeric_limits<float>::epsilon();
-    return given_ && (std::isnan(value) ? is_nan() : std::abs(value - value_) <= single_precision * std::abs(value_));
+    constexpr double seven_digits = 5e-7;
+    return given_ && (std::isnan(value) ? is_nan() : std::abs(value - value_) <= seven_digits * std::abs(value_));
   }
 
  private:
