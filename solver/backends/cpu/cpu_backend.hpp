@@ -1,0 +1,351 @@
+// The CPU backend: memory, threads and tiles around the row kernels of a scheme. The same bits for any number of
+// threads and any tile size: cells depend on the old state only, and reductions are maxima or sums in a fixed order.
+#pragma once
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "solver/backend.hpp"
+#include "solver/backends/cpu/diagnostics.hpp"
+#include "solver/backends/cpu/halo.hpp"
+#include "solver/backends/cpu/rows.hpp"
+
+namespace sandsim::cpu {
+
+template <class Rows>
+using R_of = typename Rows::Real;
+
+/// Rows: BalancedRows or PaperRows. Make: builds one from fields and step parameters.
+template <class Rows, class Make>
+class CpuBackend final : public Backend {
+  using R = typename Rows::Real;
+
+ public:
+  CpuBackend(const BackendConfig& config, const InitialState& initial, Make make);
+
+  std::string device() const override { return "cpu"; }
+  int threads() const override { return threads_; }
+  std::int64_t memory_bytes() const override;
+  double bytes_per_step() const override;
+
+  void set_state(const StateArrays& state) override;
+  StateArrays state() const override;
+  double stable_step() const override { return static_cast<double>(stable_step_of(fastest_)); }
+  SpeedLimit speed_limit() const override;
+  double slope_violation() const override { return largest_slope_violation(diagnosed()); }
+
+  StepOutcome step(double dt) override;
+  double rain(const SandRain& rain, double dt) override;
+
+  GridStatistics statistics() const override { return grid_statistics(diagnosed(), threads_); }
+  FieldValues field(const std::string& name) const override { return named_field(diagnosed(), name); }
+  std::vector<ProbeSample> sample(const std::vector<std::int64_t>& cells) const override;
+  void update_maxima(double time) override { maxima_.update(diagnosed(), time, threads_); }
+  FinalFields maxima() const override { return maxima_.fields(); }
+  void set_maxima(const FinalFields& fields) override { maxima_.set(fields); }
+  Incident find_broken() const override { return first_broken(diagnosed()); }
+
+ private:
+  int nx() const { return config_.grid.cells[0]; }
+  int ny() const { return config_.grid.cells[1]; }
+  std::size_t next() const { return 1 - current_; }
+  /// Rows of a block whose speed needs rows of another block.
+  static constexpr bool speed_needs_neighbours = Rows::speed_needs_neighbours && !Rows::one_d;
+
+  void take_material(const InitialState& initial);
+  Field<R> map_of(const std::vector<double>& values, bool is_bed) const;
+  StepFields<R> fields() const;
+  physics::StepParameters<R> parameters(R dt) const;
+  R stable_step_of(R fastest) const {
+    return fastest > R(0) ? Rows::step_courant(static_cast<R>(config_.courant)) * parameters(R(0)).dx / fastest
+                          : std::numeric_limits<R>::infinity();
+  }
+  Diagnosed<R> diagnosed() const;
+  /// Largest bounding speed over rows [j0, j1) of the state in buffer `which`.
+  R rows_speed(const Rows& rows, std::size_t which, int j0, int j1) const;
+  int step_block(const Rows& rows, Scratch<R>& scratch, int j0, int j1, R& fastest);
+  double outflow(double dt) const;
+
+  BackendConfig config_;
+  Make make_;
+  Halo halo_;
+  int threads_ = 1;
+  int tile_ = 0;
+  int block_ = 0;
+  std::size_t current_ = 0;
+  R fastest_ = 0;  // [m/s] bounds the next step
+  std::array<Field<R>, 2> h_, hu_, hv_;
+  Field<R> bed_, mu_, alpha_, cap_;
+  physics::Material<R> material_{};
+  std::vector<Scratch<R>> scratch_;  // one a thread
+  std::array<std::vector<double>, 4> side_mass_;  // x_min, x_max, y_min, y_max; empty where the side is closed
+  SideFlow flow_;
+  Maxima<R> maxima_;
+};
+
+template <class Rows, class Make>
+CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialState& initial, Make make)
+    : config_(config), make_(std::move(make)), halo_{config.grid.cells[0], config.grid.cells[1], config.boundaries} {
+  constexpr int small = 16384;  // cells below which a second thread costs more than it brings
+  const int wanted = config.threads > 0 ? config.threads : omp_get_max_threads();
+  tile_ = std::min(nx(), config.tile_columns > 0 ? config.tile_columns : 256);
+  const int rows_each = (ny() + wanted - 1) / wanted;
+  block_ = std::max(1, config.block_rows > 0 ? config.block_rows : std::min(64, rows_each));
+  const int blocks = (ny() + block_ - 1) / block_;
+  threads_ = nx() * static_cast<std::int64_t>(ny()) < small && config.threads == 0 ? 1 : std::min(wanted, blocks);
+
+  for (std::size_t k = 0; k < 2; ++k) {
+    h_[k] = Field<R>(nx(), ny(), R(0));
+    hu_[k] = Field<R>(nx(), ny(), R(0));
+    hv_[k] = Field<R>(nx(), ny(), R(0));
+  }
+  take_material(initial);
+  scratch_.assign(static_cast<std::size_t>(threads_), Scratch<R>(Rows::scratch_rows, tile_));
+
+  flow_.nx = nx(), flow_.ny = ny();
+  const auto open = [&](std::size_t side, BoundaryKind kind, int faces) -> double* {
+    if (kind != BoundaryKind::open) {
+      return nullptr;
+    }
+    side_mass_[side].assign(static_cast<std::size_t>(faces), 0.0);
+    return side_mass_[side].data();
+  };
+  flow_.x_min = open(0, config.boundaries.x_min, ny()), flow_.x_max = open(1, config.boundaries.x_max, ny());
+  if (!Rows::one_d) {
+    flow_.y_min = open(2, config.boundaries.y_min, nx()), flow_.y_max = open(3, config.boundaries.y_max, nx());
+  }
+  if (config.maxima) {
+    maxima_ = Maxima<R>(config.grid.cell_count(), static_cast<R>(config.arrival_depth));
+  }
+
+  const std::vector<R> depth(initial.depth.begin(), initial.depth.end()), still(depth.size(), R(0));
+  set_state({depth, still, still});
+}
+
+template <class Rows, class Make>
+void CpuBackend<Rows, Make>::take_material(const InitialState& initial) {
+  if constexpr (!Rows::flat) {
+    bed_ = initial.bed.empty() ? Field<R>(nx(), ny(), R(0), true) : map_of(initial.bed, true);
+  }
+  if constexpr (Rows::uniform) {
+    material_ = {static_cast<R>(initial.friction_coefficient.front()), static_cast<R>(initial.hbar_scale.front()),
+                 static_cast<R>(initial.hbar_cap.front())};
+  } else {
+    mu_ = map_of(initial.friction_coefficient, false);
+    alpha_ = map_of(initial.hbar_scale, false);
+    cap_ = map_of(initial.hbar_cap, false);
+  }
+}
+
+template <class Rows, class Make>
+auto CpuBackend<Rows, Make>::map_of(const std::vector<double>& values, bool is_bed) const -> Field<R> {
+  if (values.size() == 1) {
+    return Field<R>(nx(), ny(), static_cast<R>(values.front()), true);
+  }
+  Field<R> field(nx(), ny(), R(0));
+  for (int j = 0; j < ny(); ++j) {
+    for (int i = 0; i < nx(); ++i) {
+      field.row(j)[i] = static_cast<R>(values[static_cast<std::size_t>(j) * static_cast<std::size_t>(nx()) +
+                                              static_cast<std::size_t>(i)]);
+    }
+  }
+  if (is_bed) {
+    halo_.fill_bed(field.view());
+  } else {
+    halo_.fill_map(field.view());
+  }
+  return field;
+}
+
+template <class Rows, class Make>
+std::int64_t CpuBackend<Rows, Make>::memory_bytes() const {
+  std::size_t bytes = maxima_.bytes();
+  for (const auto* pair : {&h_, &hu_, &hv_}) {
+    bytes += (*pair)[0].bytes() + (*pair)[1].bytes();
+  }
+  for (const Field<R>* field : {&bed_, &mu_, &alpha_, &cap_}) {
+    bytes += field->bytes();
+  }
+  for (const Scratch<R>& scratch : scratch_) {
+    bytes += scratch.bytes();
+  }
+  return static_cast<std::int64_t>(bytes);
+}
+
+template <class Rows, class Make>
+double CpuBackend<Rows, Make>::bytes_per_step() const {
+  // The state in and out, and every map that is stored in full (a repeated row stays in cache). That is 24 bytes a
+  // cell in float32 on flat terrain; write-allocation of the three outputs is not counted.
+  int words = 6;
+  for (const Field<R>* field : {&bed_, &mu_, &alpha_, &cap_}) {
+    words += field->view().stride > 0 ? 1 : 0;
+  }
+  return static_cast<double>(config_.grid.cell_count()) * words * static_cast<double>(sizeof(R));
+}
+
+template <class Rows, class Make>
+StepFields<R_of<Rows>> CpuBackend<Rows, Make>::fields() const {
+  const std::size_t to = next();
+  return {h_[current_].view(), hu_[current_].view(), hv_[current_].view(), h_[to].view(), hu_[to].view(),
+          hv_[to].view(),      bed_.view(),          mu_.view(),           alpha_.view(), cap_.view(),
+          material_};
+}
+
+template <class Rows, class Make>
+physics::StepParameters<R_of<Rows>> CpuBackend<Rows, Make>::parameters(R dt) const {
+  const R dx = static_cast<R>(config_.grid.spacing);
+  return {dx, static_cast<R>(config_.gravity), dt, static_cast<R>(physics::dry_depth_fraction) * dx};
+}
+
+template <class Rows, class Make>
+Diagnosed<R_of<Rows>> CpuBackend<Rows, Make>::diagnosed() const {
+  return {nx(),        ny(),        parameters(R(0)), h_[current_].view(), hu_[current_].view(), hv_[current_].view(),
+          bed_.view(), mu_.view(),  material_,        Rows::flat,          Rows::uniform};
+}
+
+template <class Rows, class Make>
+void CpuBackend<Rows, Make>::set_state(const StateArrays& state) {
+  const auto load = [&](const FieldValues& values, Field<R>& to) {
+    const auto& from = std::get<std::vector<R>>(values);
+    for (int j = 0; j < ny(); ++j) {
+      std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(j) * nx(), nx(), to.row(j));
+    }
+  };
+  load(state.depth, h_[current_]);
+  load(state.momentum_x, hu_[current_]);
+  load(state.momentum_y, hv_[current_]);
+  for (int j = 0; j < ny(); ++j) {
+    halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
+  }
+  halo_.fill_rows(h_[current_].view(), hu_[current_].view(), hv_[current_].view());
+  fastest_ = rows_speed(make_(fields(), parameters(R(0))), current_, 0, ny());
+}
+
+template <class Rows, class Make>
+StateArrays CpuBackend<Rows, Make>::state() const {
+  return {field("depth"), field("momentum_x"), field("momentum_y")};
+}
+
+template <class Rows, class Make>
+auto CpuBackend<Rows, Make>::rows_speed(const Rows& rows, std::size_t which, int j0, int j1) const -> R {
+  R fastest = 0;
+  for (int j = j0; j < j1; ++j) {
+    fastest = std::max(fastest, rows.row_speed(h_[which].view(), hu_[which].view(), hv_[which].view(), j, 0, nx()));
+  }
+  return fastest;
+}
+
+template <class Rows, class Make>
+SpeedLimit CpuBackend<Rows, Make>::speed_limit() const {
+  const Rows rows = make_(fields(), parameters(R(0)));
+  SpeedLimit limit;
+  for (int j = 0; j < ny(); ++j) {
+    for (int i = 0; i < nx(); ++i) {
+      const R speed =
+          rows.row_speed(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j, i, i + 1);
+      if (limit.i < 0 || static_cast<double>(speed) > limit.speed) {
+        limit = {i, j, static_cast<double>(speed)};
+      }
+    }
+  }
+  return limit;
+}
+
+template <class Rows, class Make>
+int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, int j0, int j1, R& fastest) {
+  int flags = 0;
+  for (int i0 = 0; i0 < nx(); i0 += tile_) {
+    flags |= rows.step({i0, std::min(i0 + tile_, nx()), j0, j1}, scratch, flow_);
+  }
+  for (int j = j0; j < j1; ++j) {
+    halo_.fill_columns(h_[next()].view(), hu_[next()].view(), hv_[next()].view(), j);
+  }
+  // The block is still in cache: take the speeds of all rows whose neighbours it holds.
+  const int edge = speed_needs_neighbours ? 1 : 0;
+  fastest = std::max(fastest, rows_speed(rows, next(), j0 + edge, j1 - edge));
+  return flags;
+}
+
+template <class Rows, class Make>
+StepOutcome CpuBackend<Rows, Make>::step(double dt) {
+  const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
+  const int blocks = (ny() + block_ - 1) / block_;
+  const auto to = next();
+  int flags = 0;
+  R fastest = 0;
+#pragma omp parallel num_threads(threads_) if (threads_ > 1) reduction(| : flags) reduction(max : fastest)
+  {
+    Scratch<R>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+#pragma omp for schedule(static)
+    for (int block = 0; block < blocks; ++block) {
+      const int j0 = block * block_;
+      flags |= step_block(rows, scratch, j0, std::min(j0 + block_, ny()), fastest);
+    }
+#pragma omp single
+    halo_.fill_rows(h_[to].view(), hu_[to].view(), hv_[to].view());
+    if constexpr (speed_needs_neighbours) {
+#pragma omp for schedule(static)
+      for (int block = 0; block < blocks; ++block) {
+        const int first = block * block_, last = std::min(first + block_, ny()) - 1;
+        fastest = std::max(fastest, rows_speed(rows, to, first, first + 1));
+        fastest = std::max(fastest, rows_speed(rows, to, last, last + 1));
+      }
+    }
+  }
+  current_ = to;
+  fastest_ = fastest;
+  return {(flags & moving) != 0, (flags & changed) != 0, (flags & broken) != 0, outflow(dt)};
+}
+
+template <class Rows, class Make>
+double CpuBackend<Rows, Make>::outflow(double dt) const {
+  double mass = 0.0;
+  for (std::size_t side = 0; side < 4; ++side) {
+    double sum = 0.0;
+    for (const double flux : side_mass_[side]) {
+      sum += flux;
+    }
+    mass += side % 2 == 0 ? -sum : sum;
+  }
+  return mass * static_cast<double>(static_cast<R>(dt)) * config_.grid.spacing;
+}
+
+template <class Rows, class Make>
+double CpuBackend<Rows, Make>::rain(const SandRain& rain, double dt) {
+  const R growth = static_cast<R>(rain.rate * dt);
+  double gained = 0.0;
+  int j_first = ny(), j_last = -1;
+  for (const std::int64_t cell : rain.cells) {
+    const int j = static_cast<int>(cell / nx()), i = static_cast<int>(cell % nx());
+    R& h = h_[current_].row(j)[i];
+    const R before = h;
+    h = h + growth;
+    gained += static_cast<double>(h) - static_cast<double>(before);
+    j_first = std::min(j_first, j), j_last = std::max(j_last, j);
+  }
+  for (int j = j_first; j <= j_last; ++j) {
+    halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
+  }
+  halo_.fill_rows(h_[current_].view(), hu_[current_].view(), hv_[current_].view());
+  const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
+  fastest_ =
+      std::max(fastest_, rows_speed(rows, current_, std::max(0, j_first - 1), std::min(ny(), j_last + 2)));
+  return gained * config_.grid.spacing * config_.grid.spacing;
+}
+
+template <class Rows, class Make>
+std::vector<ProbeSample> CpuBackend<Rows, Make>::sample(const std::vector<std::int64_t>& cells) const {
+  std::vector<ProbeSample> samples;
+  for (const std::int64_t cell : cells) {
+    samples.push_back(probe(diagnosed(), static_cast<int>(cell % nx()), static_cast<int>(cell / nx())));
+  }
+  return samples;
+}
+
+}  // namespace sandsim::cpu

@@ -1,0 +1,195 @@
+// What is asked of a state between steps: fields for output, sums, probes, maxima, broken cells, slopes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/backend.hpp"
+#include "solver/field.hpp"
+#include "solver/physics/surface.hpp"
+#include "solver/physics/velocity.hpp"
+
+namespace sandsim::cpu {
+
+/// A state and what surrounds it.
+template <class R>
+struct Diagnosed {
+  int nx, ny;
+  physics::StepParameters<R> parameters;
+  FieldView<R> h, hu, hv, bed, mu;
+  physics::Material<R> material;
+  bool flat, uniform;
+
+  R velocity(R momentum, R depth) const {
+    return physics::quotient_velocity(momentum, depth, parameters.dry_depth);
+  }
+  R b(int i, int j) const { return flat ? R(0) : bed.row(j)[i]; }
+  R friction(int i, int j) const { return uniform ? material.mu : mu.row(j)[i]; }
+};
+
+/// value(i, j) of every cell, x fastest.
+template <class R, class Value>
+std::vector<R> gather(const Diagnosed<R>& d, Value value) {
+  std::vector<R> out(static_cast<std::size_t>(d.nx) * static_cast<std::size_t>(d.ny));
+  auto next = out.begin();
+  for (int j = 0; j < d.ny; ++j) {
+    for (int i = 0; i < d.nx; ++i) {
+      *next++ = value(i, j);
+    }
+  }
+  return out;
+}
+
+template <class R>
+FieldValues named_field(const Diagnosed<R>& d, const std::string& name) {
+  if (name == "depth") {
+    return gather(d, [&](int i, int j) { return d.h.row(j)[i]; });
+  }
+  if (name == "momentum_x") {
+    return gather(d, [&](int i, int j) { return d.hu.row(j)[i]; });
+  }
+  if (name == "momentum_y") {
+    return gather(d, [&](int i, int j) { return d.hv.row(j)[i]; });
+  }
+  if (name == "velocity_x") {
+    return gather(d, [&](int i, int j) { return d.velocity(d.hu.row(j)[i], d.h.row(j)[i]); });
+  }
+  if (name == "velocity_y") {
+    return gather(d, [&](int i, int j) { return d.velocity(d.hv.row(j)[i], d.h.row(j)[i]); });
+  }
+  if (name == "surface") {
+    return gather(d, [&](int i, int j) { return d.h.row(j)[i] + d.b(i, j); });
+  }
+  if (name == "bed") {
+    return gather(d, [&](int i, int j) { return d.b(i, j); });
+  }
+  throw std::invalid_argument("no field is called '" + name + "'");
+}
+
+template <class R>
+ProbeSample probe(const Diagnosed<R>& d, int i, int j) {
+  const R h = d.h.row(j)[i];
+  return {static_cast<double>(h), static_cast<double>(d.velocity(d.hu.row(j)[i], h)),
+          static_cast<double>(d.velocity(d.hv.row(j)[i], h))};
+}
+
+/// Rows are summed side by side and then in order, so that the result does not depend on the threads.
+template <class R>
+GridStatistics grid_statistics(const Diagnosed<R>& d, int threads) {
+  std::vector<GridStatistics> rows(static_cast<std::size_t>(d.ny));
+#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
+  for (int j = 0; j < d.ny; ++j) {
+    GridStatistics& row = rows[static_cast<std::size_t>(j)];
+    for (int i = 0; i < d.nx; ++i) {
+      const double h = static_cast<double>(d.h.row(j)[i]);
+      const double hu = static_cast<double>(d.hu.row(j)[i]), hv = static_cast<double>(d.hv.row(j)[i]);
+      row.volume += h;
+      if (hu != 0.0 || hv != 0.0) {
+        row.moving_cells += 1;
+        row.kinetic_energy += (hu * hu + hv * hv) / (2.0 * h);
+        row.max_speed = std::max(row.max_speed, std::sqrt(hu * hu + hv * hv) / h);
+      }
+    }
+  }
+  GridStatistics sum;
+  const double area = static_cast<double>(d.parameters.dx) * static_cast<double>(d.parameters.dx);
+  for (const GridStatistics& row : rows) {
+    sum.volume += row.volume * area;
+    sum.kinetic_energy += row.kinetic_energy * area;
+    sum.max_speed = std::max(sum.max_speed, row.max_speed);
+    sum.moving_cells += row.moving_cells;
+  }
+  return sum;
+}
+
+template <class R>
+Incident first_broken(const Diagnosed<R>& d) {
+  for (int j = 0; j < d.ny; ++j) {
+    for (int i = 0; i < d.nx; ++i) {
+      const R h = d.h.row(j)[i];
+      const bool finite = std::isfinite(h) && std::isfinite(d.hu.row(j)[i]) && std::isfinite(d.hv.row(j)[i]);
+      if (!finite || h < R(0)) {
+        Incident incident;
+        incident.i = i, incident.j = j;
+        incident.cause = finite ? "negative depth" : "a value that is not finite";
+        return incident;
+      }
+    }
+  }
+  return {};
+}
+
+/// Largest |ds|/(mu dx) - 1 over faces between wet cells; 0 if no face is steeper than its mu, or mu is 0.
+template <class R>
+double largest_slope_violation(const Diagnosed<R>& d) {
+  double largest = 0.0;
+  const auto face = [&](int i, int j, int ie, int je) {
+    const R h_left = d.h.row(j)[i], h_right = d.h.row(je)[ie];
+    const R mu = std::min(d.friction(i, j), d.friction(ie, je));
+    if (h_left > d.parameters.dry_depth && h_right > d.parameters.dry_depth && mu > R(0)) {
+      const R jump = physics::surface_difference(h_left, h_right, d.b(i, j), d.b(ie, je));
+      const double ratio = static_cast<double>(std::fabs(jump)) /
+                           (static_cast<double>(mu) * static_cast<double>(d.parameters.dx));
+      largest = std::max(largest, ratio - 1.0);
+    }
+  };
+  for (int j = 0; j < d.ny; ++j) {
+    for (int i = 0; i < d.nx; ++i) {
+      if (i + 1 < d.nx) {
+        face(i, j, i + 1, j);
+      }
+      if (j + 1 < d.ny) {
+        face(i, j, i, j + 1);
+      }
+    }
+  }
+  return largest;
+}
+
+/// max_depth, max_speed and arrival_time of every cell.
+template <class R>
+class Maxima {
+ public:
+  Maxima() = default;
+  Maxima(std::size_t cells, R arrival_depth)
+      : arrival_depth_(arrival_depth),
+        depth_(cells, R(0)),
+        speed_(cells, R(0)),
+        arrival_(cells, std::numeric_limits<R>::quiet_NaN()) {}
+
+  void update(const Diagnosed<R>& d, double time, int threads) {
+    const R now = static_cast<R>(time);
+#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
+    for (int j = 0; j < d.ny; ++j) {
+      const std::size_t first = static_cast<std::size_t>(j) * static_cast<std::size_t>(d.nx);
+      R *depth = depth_.data() + first, *speed = speed_.data() + first, *arrival = arrival_.data() + first;
+      const R *h = d.h.row(j), *hu = d.hu.row(j), *hv = d.hv.row(j);
+      for (int i = 0; i < d.nx; ++i) {
+        const R size = std::sqrt(hu[i] * hu[i] + hv[i] * hv[i]);
+        const R moved = d.velocity(size, h[i]);
+        depth[i] = physics::maximum(depth[i], h[i]);
+        speed[i] = physics::maximum(speed[i], moved);
+        arrival[i] = std::isnan(arrival[i]) && h[i] > arrival_depth_ ? now : arrival[i];
+      }
+    }
+  }
+  FinalFields fields() const { return {depth_, speed_, arrival_}; }
+  void set(const FinalFields& fields) {
+    depth_ = std::get<std::vector<R>>(fields.max_depth);
+    speed_ = std::get<std::vector<R>>(fields.max_speed);
+    arrival_ = std::get<std::vector<R>>(fields.arrival_time);
+  }
+  std::size_t bytes() const { return (depth_.size() + speed_.size() + arrival_.size()) * sizeof(R); }
+
+ private:
+  R arrival_depth_ = 0;
+  std::vector<R> depth_, speed_, arrival_;
+};
+
+}  // namespace sandsim::cpu
