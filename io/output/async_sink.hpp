@@ -17,7 +17,8 @@ namespace sandsim {
 /// Hands frames to `inner` from a second thread. At most `capacity` frames wait; then frame() waits as well. begin()
 /// and end() call `inner` in the caller's thread, while the second thread is not at work. An exception of `inner` is
 /// rethrown by the next call and by every later one; frames that were still waiting are then dropped.
-/// Destroyed without end(), it first writes what waits. An error that no call has thrown yet then goes to `on_lost_error`.
+/// Destroyed without end(), it first writes what waits. An error that no call has thrown yet then goes to
+/// `on_lost_error`.
 class AsyncSink : public Sink {
  public:
   using ErrorHandler = std::function<void(const std::string&)>;

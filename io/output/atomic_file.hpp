@@ -6,7 +6,8 @@
 
 namespace sandsim {
 
-/// Writes PATH.tmp, syncs it to the disk and renames it to PATH. Throws OutputError; an older PATH then stays as it was.
+/// Writes PATH.tmp, syncs it to the disk and renames it to PATH. Throws OutputError; an older PATH then stays as it
+/// was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
 /// Syncs a file to the disk. Throws OutputError.

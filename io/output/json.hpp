@@ -31,10 +31,7 @@ class JsonWriter {
   JsonWriter& value(double number) { return raw(json_number(number)); }
   JsonWriter& value(bool truth) { return raw(truth ? "true" : "false"); }
   template <std::integral Integer>
-    requires(!std::same_as<Integer, bool>)
-  JsonWriter& value(Integer number) {
-    return raw(std::to_string(number));
-  }
+  requires(!std::same_as<Integer, bool>) JsonWriter& value(Integer number) { return raw(std::to_string(number)); }
   JsonWriter& null() { return raw("null"); }
 
   template <class Value>
@@ -42,11 +39,13 @@ class JsonWriter {
     return name(key).value(content);
   }
 
+  /// The name of the member whose value is added next.
+  JsonWriter& name(std::string_view key);
+
   /// The document, with a line break at its end. All objects and arrays must be closed.
   std::string text() const;
 
  private:
-  JsonWriter& name(std::string_view key);
   JsonWriter& raw(std::string_view content);
   JsonWriter& close(char bracket);
   void start_item();

@@ -4,17 +4,19 @@
 #include <string>
 
 #include "solver/report.hpp"
+#include "solver/scene.hpp"
 
 namespace sandsim {
 
 /// What the solver does not know about its run. Empty entries are left out.
 struct RunContext {
   std::string title;
-  std::string scene_file;    // as given by the user
-  std::string scene_hash;    // see scene_hash.hpp
+  std::string scene_file;  // as given by the user
+  std::string scene_hash;  // see scene_hash.hpp
   std::string command_line;
-  std::string started;       // wall clock, ISO 8601
-  std::string output;        // the output directory
+  std::string started;  // wall clock, ISO 8601
+  std::string output;   // the output directory
+  Grid grid;            // gives x and y of the cells that are named
 };
 
 /// The keys are those of interface.md. Numbers that are not finite are null. `error` is the first reference's error,

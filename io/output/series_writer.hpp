@@ -23,6 +23,8 @@ struct SeriesSettings {
 /// The file under which frames are collected until the run is over: `path` with ".partial" behind it.
 std::filesystem::path partial_series_path(const std::filesystem::path& path);
 
+class SeriesFile;
+
 /// Writes PATH.partial, flushed after every frame, and renames it to PATH at the end, once it has been read back.
 /// `time` is written last: a frame without a time was not completed. The variables and their units are listed in
 /// series_layout.hpp. On failure the partial file stays, and can be read up to its last frame.
@@ -39,9 +41,8 @@ class SeriesWriter : public Sink {
   void end(const FinalFields& fields) override;
 
  private:
-  class File;
   SeriesSettings settings_;
-  std::unique_ptr<File> file_;
+  std::unique_ptr<SeriesFile> file_;
 };
 
 }  // namespace sandsim

@@ -4,10 +4,16 @@
 
 namespace sandsim {
 
-std::string version() { return SANDSIM_VERSION; }
+std::string version() {
+  return SANDSIM_VERSION;
+}
 
-std::string commit() { return SANDSIM_COMMIT; }
+std::string commit() {
+  return SANDSIM_COMMIT;
+}
 
-std::string source_line() { return "sandsim " + version() + " (commit " + commit() + ")"; }
+std::string source_line() {
+  return "sandsim " + version() + " (commit " + commit() + ")";
+}
 
 }  // namespace sandsim

@@ -1,0 +1,185 @@
+#include "io/output/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "io/output/atomic_file.hpp"
+#include "io/output/hdf5.hpp"
+#include "io/output/version.hpp"
+#include "solver/errors.hpp"
+
+namespace sandsim {
+namespace {
+
+namespace fs = std::filesystem;
+using hdf5::Handle;
+using hdf5::require;
+
+/// Format of the file; raised whenever its content changes its meaning.
+constexpr std::int64_t format_version = 1;
+
+/// The numbers of a checkpoint under their names; one list serves writing and reading.
+template <class AnyCheckpoint, class Visitor>
+void visit_numbers(AnyCheckpoint& checkpoint, Visitor&& visit) {
+  visit("steps", checkpoint.steps);
+  visit("frames", checkpoint.frames);
+  visit("time", checkpoint.time);
+  visit("frame_step_min", checkpoint.frame_step_min);
+  visit("frame_step_max", checkpoint.frame_step_max);
+  visit("wall_time", checkpoint.wall_time);
+  visit("volume_initial", checkpoint.ledger.initial);
+  visit("volume_final", checkpoint.ledger.final);
+  visit("volume_in", checkpoint.ledger.in);
+  visit("volume_out", checkpoint.ledger.out);
+  visit("volume_clipped", checkpoint.ledger.clipped);
+  visit("dt_min", checkpoint.dt_min);
+  visit("dt_max", checkpoint.dt_max);
+  visit("smallest_step_i", checkpoint.smallest_step.i);
+  visit("smallest_step_j", checkpoint.smallest_step.j);
+  visit("smallest_step_time", checkpoint.smallest_step.time);
+  visit("smallest_step_step", checkpoint.smallest_step.step);
+  visit("stop_time", checkpoint.stop_time);
+}
+
+template <class AnyCheckpoint, class Visitor>
+void visit_fields(AnyCheckpoint& checkpoint, Visitor&& visit) {
+  visit("depth", checkpoint.depth);
+  visit("momentum_x", checkpoint.momentum_x);
+  visit("momentum_y", checkpoint.momentum_y);
+  visit("max_depth", checkpoint.max_depth);
+  visit("max_speed", checkpoint.max_speed);
+  visit("arrival_time", checkpoint.arrival_time);
+}
+
+template <class Number>
+void write_field(hid_t file, const std::string& name, const std::vector<Number>& values) {
+  if (values.empty()) return;
+  const std::string tried = "write " + name;
+  const hsize_t size = values.size();
+  const hsize_t chunk = std::min<hsize_t>(size, 1 << 16);
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, tried);
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, tried);
+  require(H5Pset_chunk(properties.id(), 1, &chunk), tried);
+  // A checksum on every chunk: a run must not go on from damaged numbers.
+  require(H5Pset_fletcher32(properties.id()), tried);
+  const hid_t type = hdf5::native_type<Number>();
+  const Handle dataset(H5Dcreate2(file, name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                       H5Dclose, tried);
+  hdf5::write(dataset.id(), type, values.data());
+}
+
+std::size_t bytes_of(const Checkpoint& checkpoint) {
+  std::size_t bytes = 1 << 20;
+  visit_fields(checkpoint, [&bytes](const char*, const FieldValues& field) {
+    bytes += std::visit([](const auto& values) { return values.size() * sizeof values[0]; }, field);
+  });
+  return bytes;
+}
+
+void write_content(const fs::path& path, const Checkpoint& checkpoint, const std::string& scene_hash) {
+  Handle file = hdf5::create_file(path);
+  hdf5::write_attribute(file.id(), "format_version", format_version);
+  hdf5::write_attribute(file.id(), "source", source_line());
+  hdf5::write_attribute(file.id(), "scene_hash", scene_hash);
+  hdf5::write_attribute(file.id(), "smallest_step_cause", checkpoint.smallest_step.cause);
+  visit_numbers(checkpoint, [&file](const char* name, const auto& number) {
+    if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(number)>>) {
+      hdf5::write_attribute(file.id(), name, number);
+    } else {
+      hdf5::write_attribute(file.id(), name, std::int64_t{number});
+    }
+  });
+  visit_fields(checkpoint, [&file](const char* name, const FieldValues& field) {
+    std::visit([&](const auto& values) { write_field(file.id(), name, values); }, field);
+  });
+  require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flush");
+  file.close("close the file");
+}
+
+/// The maxima are there only if the scene asks for them.
+void read_field(hid_t file, const std::string& name, FieldValues& field) {
+  if (!hdf5::exists(file, name)) {
+    if (name == "depth" || name.starts_with("momentum")) throw hdf5::Failure("it has no " + name);
+    return;
+  }
+  if (hdf5::element_size(hdf5::open_dataset(file, name).id()) == sizeof(float)) {
+    field = hdf5::read_all<float>(file, name);
+  } else {
+    field = hdf5::read_all<double>(file, name);
+  }
+}
+
+Checkpoint read_content(hid_t file) {
+  Checkpoint checkpoint;
+  checkpoint.smallest_step.cause = hdf5::read_text_attribute(file, "smallest_step_cause").value_or("");
+  visit_numbers(checkpoint, [file](const char* name, auto& number) {
+    using Number = std::remove_cvref_t<decltype(number)>;
+    if constexpr (std::is_floating_point_v<Number>) {
+      number = hdf5::read_double_attribute(file, name);
+    } else {
+      number = static_cast<Number>(hdf5::read_integer_attribute(file, name));
+    }
+  });
+  visit_fields(checkpoint, [file](const char* name, FieldValues& field) { read_field(file, name, field); });
+  return checkpoint;
+}
+
+void require_same_scene(hid_t file, const std::string& scene_hash, const fs::path& path) {
+  const std::int64_t format = hdf5::read_integer_attribute(file, "format_version");
+  if (format != format_version) {
+    throw InputError(fmt::format("{}: a checkpoint of format {}; this sandsim reads format {}", path.string(), format,
+                                 format_version));
+  }
+  const std::string found = hdf5::read_text_attribute(file, "scene_hash").value_or("");
+  if (found != scene_hash) {
+    throw InputError(
+        fmt::format("{}: the checkpoint of another scene ({}, this one is {}): the scene or one of its "
+                    "input files has changed since. Run it anew with --overwrite?",
+                    path.string(), found, scene_hash));
+  }
+}
+
+}  // namespace
+
+void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint, const std::string& scene_hash) {
+  fs::path temporary = path;
+  temporary += ".tmp";
+  try {
+    const hdf5::Session session;
+    const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    require_free_space(directory, static_cast<double>(bytes_of(checkpoint)));
+    write_content(temporary, checkpoint, scene_hash);
+    sync_file(temporary);
+    rename_durably(temporary, path);
+  } catch (const hdf5::Failure& failure) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw OutputError(fmt::format("{}: {}", path.string(), failure.what()));
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+Checkpoint read_checkpoint(const fs::path& path, const std::string& scene_hash) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) {
+    throw InputError(fmt::format("{}: there is no checkpoint to resume from", path.string()));
+  }
+  const hdf5::Session session;
+  try {
+    const Handle file = hdf5::open_file(path, false);
+    require_same_scene(file.id(), scene_hash, path);
+    return read_content(file.id());
+  } catch (const hdf5::Failure& failure) {
+    throw InputError(fmt::format("{}: not a checkpoint, or damaged: {}", path.string(), failure.what()));
+  }
+}
+
+}  // namespace sandsim

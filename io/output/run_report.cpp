@@ -1,0 +1,134 @@
+#include "io/output/run_report.hpp"
+
+#include <ctime>
+#include <optional>
+
+#include "io/output/json.hpp"
+#include "io/output/version.hpp"
+
+namespace sandsim {
+namespace {
+
+void add_text(JsonWriter& json, const char* key, const std::string& text) {
+  if (!text.empty()) json.member(key, text);
+}
+
+void add_number(JsonWriter& json, const char* key, const std::optional<double>& number) {
+  if (number) json.member(key, *number);
+}
+
+void add_run(JsonWriter& json, const RunReport& report, const RunContext& context) {
+  json.member("status", report.status);
+  json.member("exit_code", static_cast<int>(report.exit_code));
+  json.member("message", report.message);
+  add_text(json, "title", context.title);
+  add_text(json, "scene_file", context.scene_file);
+  json.member("scene_hash", context.scene_hash);
+  json.member("version", version());
+  json.member("commit", commit());
+  add_text(json, "command_line", context.command_line);
+  add_text(json, "started", context.started);
+  add_text(json, "output", context.output);
+  json.member("device", report.device);
+  json.member("threads", report.threads);
+  json.member("precision", report.precision);
+  json.member("scheme", report.scheme);
+  json.member("order", report.order);
+}
+
+void add_cost(JsonWriter& json, const RunReport& report) {
+  json.member("cells", report.cells);
+  json.member("steps", report.steps);
+  json.member("frames", report.frames);
+  json.member("simulated_time", report.simulated_time);
+  json.member("wall_time", report.wall_time);
+  json.member("first_step_time", report.first_step_time);
+  json.member("cell_steps_per_second", report.cell_steps_per_second);
+  json.begin_array("stages");
+  for (const StageReport& stage : report.stages) {
+    json.begin_object();
+    json.member("name", stage.name).member("seconds", stage.seconds);
+    json.member("launches", stage.launches).member("bytes", stage.bytes);
+    json.end_object();
+  }
+  json.end_array();
+  json.member("memory_bytes", report.memory_bytes);
+}
+
+void add_ledger(JsonWriter& json, const Ledger& ledger) {
+  json.member("volume_initial", ledger.initial);
+  json.member("volume_final", ledger.final);
+  json.member("volume_in", ledger.in);
+  json.member("volume_out", ledger.out);
+  json.member("volume_clipped", ledger.clipped);
+  json.member("volume_error", ledger.error());
+}
+
+void add_incident(JsonWriter& json, const char* key, const std::optional<Incident>& incident, const Grid& grid) {
+  if (!incident) return;
+  json.begin_object(key);
+  json.member("i", incident->i).member("j", incident->j);
+  if (incident->i >= 0 && incident->j >= 0 && grid.spacing > 0.0) {
+    json.member("x", grid.x(incident->i)).member("y", grid.y(incident->j));
+  }
+  json.member("time", incident->time).member("step", incident->step);
+  json.member("cause", incident->cause);
+  json.end_object();
+}
+
+void add_error(JsonWriter& json, const ErrorReport& error) {
+  json.begin_object();
+  json.member("against", error.against);
+  json.member("time", error.time);
+  add_number(json, "l1", error.l1);
+  add_number(json, "l2", error.l2);
+  add_number(json, "linf", error.linf);
+  add_number(json, "l1_relative", error.l1_relative);
+  json.begin_array("fronts");
+  for (const ErrorReport::Front& front : error.fronts) {
+    json.begin_object();
+    json.member("depth", front.depth).member("computed", front.computed);
+    add_number(json, "reference", front.reference);
+    json.end_object();
+  }
+  json.end_array();
+  add_text(json, "note", error.note);
+  json.end_object();
+}
+
+}  // namespace
+
+std::string run_report_json(const RunReport& report, const RunContext& context) {
+  JsonWriter json;
+  json.begin_object();
+  add_run(json, report, context);
+  add_cost(json, report);
+  add_ledger(json, report.ledger);
+  json.member("dt_min", report.dt_min);
+  json.member("dt_max", report.dt_max);
+  add_incident(json, "smallest_step", report.smallest_step, context.grid);
+  add_incident(json, "failure", report.failure, context.grid);
+  json.member("at_rest", report.at_rest);
+  json.member("stop_time", report.stop_time);
+  json.member("max_slope_violation", report.max_slope_violation);
+  if (!report.errors.empty()) {
+    json.name("error");
+    add_error(json, report.errors.front());
+    json.begin_array("errors");
+    for (const ErrorReport& error : report.errors) add_error(json, error);
+    json.end_array();
+  }
+  json.end_object();
+  return json.text();
+}
+
+std::string time_stamp() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char text[32] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+}  // namespace sandsim

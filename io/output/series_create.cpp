@@ -1,0 +1,202 @@
+#include "io/output/series_create.hpp"
+
+#include <hdf5_hl.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "io/output/run_report.hpp"
+#include "io/output/version.hpp"
+
+namespace sandsim {
+namespace {
+
+using hdf5::Handle;
+using hdf5::require;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+hsize_t length_of(Dimension dimension, const Scene& scene) {
+  switch (dimension) {
+    case Dimension::time:
+      return 0;
+    case Dimension::y:
+      return static_cast<hsize_t>(scene.grid.cells[1]);
+    case Dimension::x:
+      return static_cast<hsize_t>(scene.grid.cells[0]);
+    case Dimension::probe:
+      return scene.output.probes.size();
+    case Dimension::front_depth:
+      return scene.reference ? scene.reference->front_depths.size() : 0;
+  }
+  return 0;
+}
+
+/// Numbers that were never written read as NaN or -1, so that a hole in the file does not look like dry ground.
+void set_fill_value(hid_t properties, const Variable& variable, const Scene& scene) {
+  const std::string tried = "set the fill value of " + variable.name;
+  if (variable.type == NumberType::int64) {
+    const std::int64_t none = -1;
+    require(H5Pset_fill_value(properties, H5T_NATIVE_INT64, &none), tried);
+  } else if (variable.type != NumberType::text) {
+    // A flat bed is never written: its elevation is the fill value, and costs nothing.
+    const double fill = variable.name == "bed" ? flat_elevation(scene) : not_a_number;
+    require(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &fill), tried);
+  }
+}
+
+Handle creation_properties(const Variable& variable, const Scene& scene) {
+  const std::string tried = "set up " + variable.name;
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, tried);
+  require(H5Pset_attr_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), tried);
+  set_fill_value(properties.id(), variable, scene);
+  if (!variable.over_time() && !variable.over_grid()) return properties;
+  const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
+  require(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), tried);
+  if (scene.output.compression == Compression::gzip && variable.dimensions.back() == Dimension::x) {
+    require(H5Pset_shuffle(properties.id()), tried);
+    // Higher levels take many times longer and gain a few percent.
+    require(H5Pset_deflate(properties.id(), 1), tried);
+  }
+  return properties;
+}
+
+Handle variable_text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a text type");
+  require(H5Tset_size(type.id(), H5T_VARIABLE), "size a text type");
+  require(H5Tset_cset(type.id(), H5T_CSET_UTF8), "make a text type UTF-8");
+  return type;
+}
+
+Handle create_dataset(hid_t file, const Variable& variable, const Scene& scene) {
+  const std::string tried = "create " + variable.name;
+  const std::vector<hsize_t> size = initial_extent(variable, scene);
+  std::vector<hsize_t> largest = size;
+  if (variable.over_time()) largest.front() = H5S_UNLIMITED;
+  const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), largest.data()), H5Sclose, tried);
+  const Handle properties = creation_properties(variable, scene);
+  const Handle text = variable_text_type();
+  const hid_t type = variable.type == NumberType::text ? text.id() : stored_type(variable, scene.numerics.precision);
+  return Handle(H5Dcreate2(file, variable.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                H5Dclose, tried);
+}
+
+void describe(hid_t dataset, const Variable& variable, Precision precision) {
+  hdf5::write_attribute(dataset, "long_name", variable.long_name);
+  if (!variable.units.empty()) hdf5::write_attribute(dataset, "units", variable.units);
+  if (variable.name == "x") hdf5::write_attribute(dataset, "standard_name", std::string("projection_x_coordinate"));
+  if (variable.name == "y") hdf5::write_attribute(dataset, "standard_name", std::string("projection_y_coordinate"));
+  if (variable.name == "time") hdf5::write_attribute(dataset, "axis", std::string("T"));
+  if (variable.name == "x") hdf5::write_attribute(dataset, "axis", std::string("X"));
+  if (variable.name == "y") hdf5::write_attribute(dataset, "axis", std::string("Y"));
+  if (variable.dimensions.back() == Dimension::probe && variable.over_time()) {
+    hdf5::write_attribute(dataset, "coordinates", std::string("probe_name probe_x probe_y"));
+  }
+  // CF allows no missing values in coordinates. A bed has none; counts keep their integer type without one.
+  if (variable.coordinate() || variable.name == "bed") return;
+  if (variable.type == NumberType::real && precision == Precision::float32) {
+    hdf5::write_attribute(dataset, "_FillValue", static_cast<float>(not_a_number));
+  } else if (variable.type == NumberType::real || variable.type == NumberType::float64) {
+    hdf5::write_attribute(dataset, "_FillValue", not_a_number);
+  }
+}
+
+void attach_dimensions(hid_t file, hid_t dataset, const Variable& variable) {
+  if (variable.coordinate()) {
+    require(H5DSset_scale(dataset, variable.name.c_str()), "make " + variable.name + " a dimension");
+    return;
+  }
+  for (std::size_t axis = 0; axis < variable.dimensions.size(); ++axis) {
+    const Handle scale = hdf5::open_dataset(file, name_of(variable.dimensions[axis]));
+    require(H5DSattach_scale(dataset, scale.id(), static_cast<unsigned>(axis)),
+            "attach the dimensions of " + variable.name);
+  }
+}
+
+void write_doubles(hid_t file, const std::string& name, const std::vector<double>& values) {
+  hdf5::write(hdf5::open_dataset(file, name).id(), H5T_NATIVE_DOUBLE, values.data());
+}
+
+void write_probe_coordinates(hid_t file, const std::vector<Probe>& probes) {
+  std::vector<std::int64_t> number;
+  std::vector<const char*> name;
+  std::vector<double> x, y;
+  for (const Probe& probe : probes) {
+    number.push_back(static_cast<std::int64_t>(number.size()));
+    name.push_back(probe.name.c_str());
+    x.push_back(probe.at[0]);
+    y.push_back(probe.at[1]);
+  }
+  hdf5::write(hdf5::open_dataset(file, "probe").id(), H5T_NATIVE_INT64, number.data());
+  hdf5::write(hdf5::open_dataset(file, "probe_name").id(), variable_text_type().id(), name.data());
+  write_doubles(file, "probe_x", x);
+  write_doubles(file, "probe_y", y);
+}
+
+}  // namespace
+
+hid_t stored_type(const Variable& variable, Precision precision) {
+  if (variable.type == NumberType::int64) return H5T_STD_I64LE;
+  const bool single = variable.type == NumberType::real && precision == Precision::float32;
+  return single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
+}
+
+std::vector<hsize_t> initial_extent(const Variable& variable, const Scene& scene) {
+  std::vector<hsize_t> lengths;
+  for (const Dimension dimension : variable.dimensions) lengths.push_back(length_of(dimension, scene));
+  return lengths;
+}
+
+std::vector<hsize_t> chunk_extent(const Variable& variable, const Scene& scene) {
+  constexpr hsize_t side = 256;
+  const std::vector<hsize_t> size = initial_extent(variable, scene);
+  std::vector<hsize_t> chunk(size.size());
+  hsize_t room = side * side;
+  for (std::size_t axis = 0; axis < size.size(); ++axis) {
+    const bool last = axis + 1 == size.size();
+    if (variable.dimensions[axis] == Dimension::time) {
+      // Numbers per frame are gathered; a field has a chunk of its own in every frame.
+      chunk[axis] = variable.dimensions.back() == Dimension::x ? 1 : side;
+    } else {
+      // What a thin grid leaves free along y is given to x, or a long row would be cut into many small chunks.
+      chunk[axis] = std::min(size[axis], last ? std::max(side, room) : side);
+    }
+    room /= chunk[axis];
+  }
+  return chunk;
+}
+
+void create_variables(hid_t file, const Scene& scene) {
+  for (const Variable& variable : series_layout(scene)) {
+    const Handle dataset = create_dataset(file, variable, scene);
+    describe(dataset.id(), variable, scene.numerics.precision);
+    attach_dimensions(file, dataset.id(), variable);
+  }
+}
+
+void write_coordinates(hid_t file, const Scene& scene) {
+  std::vector<double> x, y;
+  for (int i = 0; i < scene.grid.cells[0]; ++i) x.push_back(scene.grid.x(i));
+  for (int j = 0; j < scene.grid.cells[1]; ++j) y.push_back(scene.grid.y(j));
+  write_doubles(file, "x", x);
+  write_doubles(file, "y", y);
+  if (!scene.output.probes.empty()) write_probe_coordinates(file, scene.output.probes);
+  if (scene.reference && !scene.reference->front_depths.empty()) {
+    write_doubles(file, "front_depth", scene.reference->front_depths);
+  }
+}
+
+void write_global_attributes(hid_t file, const Scene& scene, const SeriesSettings& settings) {
+  hdf5::write_attribute(file, "Conventions", std::string("CF-1.10"));
+  hdf5::write_attribute(file, "title", scene.title);
+  hdf5::write_attribute(file, "source", source_line());
+  hdf5::write_attribute(file, "history", time_stamp() + " " + settings.history);
+  hdf5::write_attribute(file, "scene", settings.resolved_scene);
+  hdf5::write_attribute(file, "device", settings.device);
+  hdf5::write_attribute(file, "version", version());
+  hdf5::write_attribute(file, "commit", commit());
+  const bool single = scene.numerics.precision == Precision::float32;
+  hdf5::write_attribute(file, "precision", std::string(single ? "float32" : "float64"));
+}
+
+}  // namespace sandsim

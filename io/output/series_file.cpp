@@ -1,0 +1,219 @@
+#include "io/output/series_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "io/output/atomic_file.hpp"
+#include "io/output/series_create.hpp"
+#include "solver/errors.hpp"
+
+namespace sandsim {
+namespace {
+
+using hdf5::require;
+
+std::size_t value_count(const FieldValues& values) {
+  return std::visit([](const auto& numbers) { return numbers.size(); }, values);
+}
+
+const void* data_of(const FieldValues& values) {
+  return std::visit([](const auto& numbers) -> const void* { return numbers.data(); }, values);
+}
+
+hid_t memory_type(const FieldValues& values) {
+  return std::holds_alternative<std::vector<float>>(values) ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
+}
+
+/// More than the data: chunks are stored whole, and each costs an entry in an index.
+std::int64_t bytes_of_frame(const std::vector<Variable>& variables, const Scene& scene) {
+  std::int64_t bytes = 256 << 10;
+  for (const Variable& variable : variables) {
+    if (!variable.over_time()) continue;
+    const std::vector<hsize_t> size = initial_extent(variable, scene);
+    const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
+    std::int64_t chunk_bytes = 8;
+    std::int64_t chunks = 1;
+    for (std::size_t axis = 0; axis < size.size(); ++axis) {
+      chunk_bytes *= static_cast<std::int64_t>(chunk[axis]);
+      if (axis > 0) chunks *= static_cast<std::int64_t>((size[axis] + chunk[axis] - 1) / chunk[axis]);
+    }
+    if (variable.type == NumberType::real && scene.numerics.precision == Precision::float32) chunk_bytes /= 2;
+    bytes += chunks * (chunk_bytes + 256);
+  }
+  return bytes;
+}
+
+int descriptor_of(hid_t file) {
+  void* descriptor = nullptr;
+  require(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), "get the file's descriptor");
+  return *static_cast<int*>(descriptor);
+}
+
+}  // namespace
+
+SeriesFile::SeriesFile(const std::filesystem::path& path, const Scene& scene, hdf5::Handle file)
+    : path_(path),
+      output_(scene.output),
+      exact_reference_(scene.reference && scene.reference->exact),
+      front_count_(scene.reference ? scene.reference->front_depths.size() : 0),
+      grid_{static_cast<hsize_t>(scene.grid.cells[1]), static_cast<hsize_t>(scene.grid.cells[0])},
+      file_(std::move(file)) {
+  const std::vector<Variable> layout = series_layout(scene);
+  frame_bytes_ = bytes_of_frame(layout, scene);
+  for (const Variable& variable : layout) {
+    variables_.push_back({variable, hdf5::open_dataset(file_.id(), variable.name)});
+  }
+  space_.emplace(descriptor_of(file_.id()), path);
+}
+
+SeriesFile SeriesFile::create(const std::filesystem::path& path, const Scene& scene, const SeriesSettings& settings) {
+  hdf5::Handle file = hdf5::create_file(path);
+  DiskSpace(descriptor_of(file.id()), path).claim(1 << 20);
+  write_global_attributes(file.id(), scene, settings);
+  create_variables(file.id(), scene);
+  write_coordinates(file.id(), scene);
+  SeriesFile series(path, scene, std::move(file));
+  series.flush();
+  return series;
+}
+
+void SeriesFile::write_bed(const FieldValues& bed) {
+  if (value_count(bed) == 0 || !output_.frames) return;
+  space_->claim(static_cast<std::int64_t>(grid_[0] * grid_[1] * 8 + 65536));
+  write_map("bed", bed);
+  flush();
+}
+
+const OpenVariable& SeriesFile::find(const std::string& name) const {
+  const auto found = std::find_if(variables_.begin(), variables_.end(),
+                                  [&name](const OpenVariable& open) { return open.variable.name == name; });
+  if (found == variables_.end()) throw OutputError(fmt::format("{}: the series has no {}", path_.string(), name));
+  return *found;
+}
+
+void SeriesFile::write_map(const std::string& name, const FieldValues& values) {
+  if (value_count(values) != grid_[0] * grid_[1]) {
+    throw OutputError(fmt::format("{}: {} has {} values for {} x {} cells", path_.string(), name, value_count(values),
+                                  grid_[1], grid_[0]));
+  }
+  hdf5::write(find(name).dataset.id(), memory_type(values), data_of(values));
+}
+
+void SeriesFile::check(const Frame& frame) const {
+  const auto refuse = [this, &frame](const std::string& problem) {
+    throw OutputError(fmt::format("{}: frame {}: {}", path_.string(), frame.index, problem));
+  };
+  if (frame.index != frames_) refuse(fmt::format("{} frames have been written", frames_));
+  std::size_t expected = 0;
+  for (const OpenVariable& open : variables_) {
+    expected += open.variable.over_time() && open.variable.over_grid() && open.variable.type == NumberType::real;
+  }
+  if (frame.fields.size() != expected) refuse(fmt::format("{} fields, not {}", frame.fields.size(), expected));
+  for (const NamedField& field : frame.fields) {
+    find(field.name);
+    const std::size_t count = value_count(field.values);
+    if (count != grid_[0] * grid_[1]) refuse(fmt::format("{} has {} values", field.name, count));
+  }
+  if (frame.probes.size() != output_.probes.size()) refuse(fmt::format("{} probes", frame.probes.size()));
+  if (frame.fronts.size() != front_count_) refuse(fmt::format("{} fronts, not {}", frame.fronts.size(), front_count_));
+  const std::size_t row = frame.reference_depth.size();
+  if (exact_reference_ && row != 0 && row != grid_[1]) refuse(fmt::format("reference_depth has {} values", row));
+}
+
+void SeriesFile::extend(const OpenVariable& open, hsize_t frames) const {
+  std::vector<hsize_t> size = hdf5::extent(open.dataset.id());
+  if (size.front() == frames) return;
+  size.front() = frames;
+  require(H5Dset_extent(open.dataset.id(), size.data()), "extend " + open.variable.name);
+}
+
+void SeriesFile::write_values(const std::string& name, const FieldValues& values) const {
+  const hdf5::Block block{{static_cast<hsize_t>(frames_), 0, 0}, {1, grid_[0], grid_[1]}};
+  hdf5::write(find(name).dataset.id(), memory_type(values), data_of(values), block);
+}
+
+void SeriesFile::write_number(const std::string& name, double value) const {
+  hdf5::write(find(name).dataset.id(), H5T_NATIVE_DOUBLE, &value, {{static_cast<hsize_t>(frames_)}, {1}});
+}
+
+void SeriesFile::write_count(const std::string& name, std::int64_t value) const {
+  hdf5::write(find(name).dataset.id(), H5T_NATIVE_INT64, &value, {{static_cast<hsize_t>(frames_)}, {1}});
+}
+
+void SeriesFile::write_row(const std::string& name, const std::vector<double>& values) const {
+  const hdf5::Block block{{static_cast<hsize_t>(frames_), 0}, {1, values.size()}};
+  hdf5::write(find(name).dataset.id(), H5T_NATIVE_DOUBLE, values.data(), block);
+}
+
+void SeriesFile::write_statistics(const FrameStatistics& statistics) const {
+  write_number("volume", statistics.volume);
+  write_number("kinetic_energy", statistics.kinetic_energy);
+  write_number("max_speed", statistics.max_speed);
+  write_number("time_step_min", statistics.time_step_min);
+  write_number("time_step_max", statistics.time_step_max);
+  write_count("steps", statistics.steps);
+  write_number("wall_time", statistics.wall_time);
+  write_count("moving_cells", statistics.moving_cells);
+}
+
+void SeriesFile::write_probes(const std::vector<ProbeSample>& probes) const {
+  std::vector<double> depth, velocity_x, velocity_y;
+  for (const ProbeSample& probe : probes) {
+    depth.push_back(probe.depth);
+    velocity_x.push_back(probe.velocity_x);
+    velocity_y.push_back(probe.velocity_y);
+  }
+  write_row("probe_depth", depth);
+  write_row("probe_velocity_x", velocity_x);
+  write_row("probe_velocity_y", velocity_y);
+}
+
+void SeriesFile::flush() const {
+  require(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "flush");
+}
+
+void SeriesFile::append(Frame frame) {
+  check(frame);
+  space_->claim(frame_bytes_);
+  const auto frames = static_cast<hsize_t>(frames_ + 1);
+  for (const OpenVariable& open : variables_) {
+    if (open.variable.over_time() && open.variable.name != "time") extend(open, frames);
+  }
+  for (const NamedField& field : frame.fields) write_values(field.name, field.values);
+  write_statistics(frame.statistics);
+  if (!frame.probes.empty()) write_probes(frame.probes);
+  if (!frame.fronts.empty()) write_row("front", frame.fronts);
+  if (exact_reference_) {
+    if (!frame.reference_depth.empty()) write_row("reference_depth", frame.reference_depth);
+    write_number("reference_tip", frame.reference_tip);
+  }
+  flush();
+  // The frame counts from here on.
+  extend(find("time"), frames);
+  write_number("time", frame.statistics.time);
+  flush();
+  ++frames_;
+  last_fields_ = std::move(frame.fields);
+  space_->check_written();
+}
+
+void SeriesFile::write_maxima(const FinalFields& fields) {
+  if (!output_.maxima) return;
+  space_->claim(static_cast<std::int64_t>(3 * (grid_[0] * grid_[1] * 8 + 65536)));
+  write_map("max_depth", fields.max_depth);
+  write_map("max_speed_over_time", fields.max_speed);
+  write_map("arrival_time", fields.arrival_time);
+}
+
+void SeriesFile::close() {
+  flush();
+  for (OpenVariable& open : variables_) open.dataset.close("close " + open.variable.name);
+  file_.close("close the file");
+  release_claimed_space(path_);
+  sync_file(path_);
+}
+
+}  // namespace sandsim

@@ -1,0 +1,38 @@
+// The variables of series.h5: the one place that names them. Internal to io/output; interface.md is the public form.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/scene.hpp"
+
+namespace sandsim {
+
+enum class Dimension { time, y, x, probe, front_depth };
+
+/// `real` is the run's precision.
+enum class NumberType { real, float64, int64, text };
+
+struct Variable {
+  std::string name;                   // of the data set
+  std::vector<Dimension> dimensions;  // slowest first
+  std::string units;                  // CF (UDUNITS); empty for names
+  std::string long_name;
+  NumberType type = NumberType::float64;
+
+  bool over_time() const { return !dimensions.empty() && dimensions.front() == Dimension::time; }
+  bool over_grid() const { return !dimensions.empty() && dimensions.back() == Dimension::x && dimensions.size() > 1; }
+  /// A variable of the name of its only dimension gives that dimension's coordinates.
+  bool coordinate() const;
+};
+
+std::string name_of(Dimension dimension);
+
+/// All variables of a scene's series, coordinates first and `time` before those over time.
+/// The map of the largest speed is `max_speed_over_time`, since `max_speed` is the largest speed of each frame.
+std::vector<Variable> series_layout(const Scene& scene);
+
+/// Elevation of a terrain without relief, which the solver leaves out: the sum of its flat parts. [m]
+double flat_elevation(const Scene& scene);
+
+}  // namespace sandsim

@@ -1,0 +1,73 @@
+#include "io/output/series_reader.hpp"
+
+#include <hdf5_hl.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandsim {
+namespace {
+
+using hdf5::Handle;
+
+std::string name_of_object(hid_t object) {
+  char name[256] = {};
+  if (H5Iget_name(object, name, sizeof name) <= 0) return {};
+  return name + (name[0] == '/' ? 1 : 0);
+}
+
+herr_t take_name(hid_t, unsigned, hid_t scale, void* name) {
+  *static_cast<std::string*>(name) = name_of_object(scale);
+  return 1;
+}
+
+std::vector<std::string> dimension_names(hid_t dataset, const std::string& name, std::size_t rank) {
+  if (H5DSis_scale(dataset) > 0) return {name};
+  std::vector<std::string> names(rank);
+  for (std::size_t axis = 0; axis < rank; ++axis) {
+    const auto number = static_cast<unsigned>(axis);
+    if (H5DSget_num_scales(dataset, number) > 0) H5DSiterate_scales(dataset, number, nullptr, take_name, &names[axis]);
+  }
+  return names;
+}
+
+StoredVariable describe(hid_t file, const std::string& name) {
+  const Handle dataset = hdf5::open_dataset(file, name);
+  StoredVariable variable;
+  variable.name = name;
+  variable.extent = hdf5::extent(dataset.id());
+  variable.dimensions = dimension_names(dataset.id(), name, variable.extent.size());
+  variable.units = hdf5::read_text_attribute(dataset.id(), "units").value_or("");
+  variable.numeric = hdf5::is_numeric(dataset.id());
+  variable.element_size = hdf5::element_size(dataset.id());
+  return variable;
+}
+
+}  // namespace
+
+SeriesReader::SeriesReader(const std::filesystem::path& path) : file_(hdf5::open_file(path, false)) {
+  for (const std::string& name : hdf5::dataset_names(file_.id())) variables_.push_back(describe(file_.id(), name));
+  times_ = read_coordinate("time");
+  // A run that was killed while it wrote a time leaves NaN there.
+  times_.erase(std::find_if(times_.begin(), times_.end(), [](double time) { return std::isnan(time); }), times_.end());
+}
+
+const StoredVariable* SeriesReader::find(const std::string& name) const {
+  const auto found = std::find_if(variables_.begin(), variables_.end(),
+                                  [&name](const auto& variable) { return variable.name == name; });
+  return found == variables_.end() ? nullptr : &*found;
+}
+
+std::vector<double> SeriesReader::read_coordinate(const std::string& name) const {
+  const StoredVariable* variable = find(name);
+  if (variable == nullptr || !variable->numeric || variable->extent.size() != 1) {
+    throw hdf5::Failure("no series of sandsim: it has no coordinate " + name);
+  }
+  return hdf5::read_all<double>(file_.id(), name);
+}
+
+std::string SeriesReader::attribute(const std::string& name) const {
+  return hdf5::read_text_attribute(file_.id(), name).value_or("");
+}
+
+}  // namespace sandsim
