@@ -1,23 +1,20 @@
 // The only file that includes CLI11: it takes seconds to compile, and it would exit with codes of its own.
 #include "cli/app.hpp"
 
-#include <sandsim_version.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <exception>
-#include <filesystem>
 #include <functional>
 #include <iostream>
-#include <new>
-#include <sstream>
+#include <regex>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/failures.hpp"
 #include "cli/help.hpp"
 #include "cli/text.hpp"
-#include "solver/errors.hpp"
+#include "io/output/version.hpp"
 
 namespace sandsim::cli {
 
@@ -145,7 +142,7 @@ void add_bench(CLI::App& app, Arguments& all) {
 }
 
 void add_everything(CLI::App& app, Arguments& all) {
-  app.set_version_flag("--version", "sandsim " SANDSIM_VERSION " (" SANDSIM_COMMIT ")", "Print the version and exit");
+  app.set_version_flag("--version", source_line(), "Print the version and exit");
   app.require_subcommand(1);
   app.footer(help::program);
   app.get_formatter()->column_width(34);
@@ -155,16 +152,6 @@ void add_everything(CLI::App& app, Arguments& all) {
   add_schema(app, all);
   add_devices(app, all);
   add_bench(app, all);
-}
-
-void print_error(std::ostream& err, const std::string& message) {
-  std::istringstream lines(message);
-  for (std::string line; std::getline(lines, line);) {
-    // Indented lines continue the one before.
-    const bool continued = line.starts_with(' ');
-    err << (continued ? "" : "sandsim: error: ") << line << '\n';
-  }
-  err << std::flush;
 }
 
 int usage_error(std::ostream& err, const CLI::App& app, const std::string& message) {
@@ -190,23 +177,23 @@ std::optional<std::string> wrong_command(const CLI::App& app, std::span<const st
   return problem + "; the commands are " + join(", ", names);
 }
 
+/// The arguments as a shell would take them again.
+std::string command_line(std::span<const std::string> args) {
+  std::string line = "sandsim";
+  for (const std::string& arg : args) {
+    const bool plain = !arg.empty() && arg.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
+    line += plain ? " " + arg : " '" + std::regex_replace(arg, std::regex("'"), "'\\''") + "'";
+  }
+  return line;
+}
+
 int run_chosen(const Arguments& arguments, Console& console) {
   try {
     return static_cast<int>(arguments.command(console));
-  } catch (const Error& error) {
-    print_error(console.err, error.what());
-    return static_cast<int>(error.code());
-  } catch (const std::bad_alloc&) {
-    print_error(console.err, "out of memory: make the grid smaller, or run on a machine with more memory");
-    return static_cast<int>(ExitCode::device);
-  } catch (const std::filesystem::filesystem_error& error) {
-    print_error(console.err, error.what());
-    return static_cast<int>(ExitCode::output);
-  } catch (const std::exception& error) {
-    print_error(console.err, std::string("internal error: ") + error.what() +
-                                 "\n  This is a bug in sandsim " SANDSIM_VERSION " (" SANDSIM_COMMIT
-                                 "): please report it with the scene and log.txt");
-    return internal_error;
+  } catch (...) {
+    const Failure failure = current_failure();
+    print_error(console.err, failure.message);
+    return failure.exit_code;
   }
 }
 
@@ -230,6 +217,7 @@ int run_app(std::span<const std::string> args, std::ostream& out, std::ostream& 
   } catch (const CLI::ParseError& error) {
     return usage_error(err, app, error.what());
   }
+  arguments.run.command_line = command_line(args);
   Console console{out, err, &err == &std::cerr && isatty(STDERR_FILENO) == 1};
   const int code = run_chosen(arguments, console);
   out.flush();

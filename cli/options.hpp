@@ -22,6 +22,7 @@ struct RunArguments {
   bool json = false;
   bool quiet = false;
   bool verbose = false;
+  std::string command_line;  // all of it, for the record
 };
 
 struct CheckArguments {

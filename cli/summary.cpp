@@ -89,7 +89,7 @@ std::string error_lines(const ErrorReport& error) {
 
 }  // namespace
 
-std::string run_summary(const Scene& scene, const RunReport& report, const std::vector<std::string>& files) {
+std::string run_summary(const Scene& scene, const RunReport& report, const std::string& files) {
   const std::string cells = fmt::format("{} x {} cells", scene.grid.cells[0], scene.grid.cells[1]);
   std::string text = scene.title.empty() ? cells + "\n" : fmt::format("{} ({})\n", scene.title, cells);
   text += status_line(scene, report);
@@ -104,7 +104,7 @@ std::string run_summary(const Scene& scene, const RunReport& report, const std::
   for (const ErrorReport& error : report.errors) {
     text += error_lines(error);
   }
-  text += line("files", join(", ", files));
+  text += line("files", files);
   return text;
 }
 

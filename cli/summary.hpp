@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "solver/report.hpp"
 #include "solver/scene.hpp"
@@ -10,6 +9,6 @@
 namespace sandsim::cli {
 
 /// Lines of "name  value", the last of them the files.
-std::string run_summary(const Scene& scene, const RunReport& report, const std::vector<std::string>& files);
+std::string run_summary(const Scene& scene, const RunReport& report, const std::string& files);
 
 }  // namespace sandsim::cli

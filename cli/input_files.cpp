@@ -1,0 +1,38 @@
+#include "cli/input_files.hpp"
+
+#include <variant>
+
+namespace sandsim::cli {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> input_files(const Scene& scene, const fs::path& folder) {
+  std::vector<fs::path> files;
+  const auto add = [&](const RasterFile& raster) { files.push_back(folder / raster.file); };
+  const auto add_map = [&](const ScalarMap& map) {
+    if (const auto* raster = std::get_if<RasterFile>(&map)) {
+      add(*raster);
+    }
+  };
+  for (const TerrainPart& part : scene.terrain) {
+    if (const auto* raster = std::get_if<RasterTerrain>(&part)) {
+      add(raster->file);
+    }
+  }
+  for (const SandPart& part : scene.sand.initial) {
+    if (const auto* raster = std::get_if<SandRaster>(&part)) {
+      add(raster->file);
+    }
+  }
+  if (scene.sand.friction_angle) {
+    add_map(*scene.sand.friction_angle);
+  }
+  if (scene.sand.friction_coefficient) {
+    add_map(*scene.sand.friction_coefficient);
+  }
+  add_map(scene.sand.hbar.scale);
+  add_map(scene.sand.hbar.cap);
+  return files;
+}
+
+}  // namespace sandsim::cli

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <optional>
+#include <ostream>
+#include <sstream>
+
+#include "cli/commands.hpp"
+#include "cli/failures.hpp"
+#include "cli/input_files.hpp"
+#include "cli/machine.hpp"
+#include "cli/run_paths.hpp"
+#include "cli/run_session.hpp"
+#include "cli/text.hpp"
+#include "io/output/checkpoint.hpp"
+#include "io/output/scene_hash.hpp"
+#include "io/output/series_writer.hpp"
+#include "io/scene/resolved_scene.hpp"
+#include "io/scene/scene_reader.hpp"
+#include "solver/errors.hpp"
+
+namespace sandsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void require_device(Device device) {
+  if (device == Device::cuda && !has_cuda_backend()) {
+    throw DeviceError(
+        "--device cuda: this sandsim was built without a CUDA backend\n"
+        "  use --device cpu or auto; 'sandsim devices' lists what there is");
+  }
+}
+
+/// The system hands out memory that it does not have and later kills whoever uses it: better to say so beforehand.
+void require_memory(const Scene& scene) {
+  const double word = scene.numerics.precision == Precision::float32 ? 4.0 : 8.0;
+  // Depth in double precision for the initial state; two sets of depth and momentum for the step.
+  const double least = static_cast<double>(scene.grid.cell_count()) * (8.0 + 6.0 * word);
+  const double available = available_memory();
+  if (available > 0.0 && least > available) {
+    throw DeviceError(
+        fmt::format("{} x {} cells need at least {} of memory, and {} are available: make the grid smaller",
+                    scene.grid.cells[0], scene.grid.cells[1], format_bytes(least), format_bytes(available)));
+  }
+}
+
+RunInput read_input(const RunArguments& arguments, Console& console) {
+  const fs::path file = scene_file(arguments.scene);
+  std::vector<std::string> overrides = arguments.overrides;
+  if (arguments.precision) {
+    overrides.push_back("numerics.precision=" + *arguments.precision);
+  }
+  RunInput input;
+  input.scene = read_scene(file, overrides, &input.warnings);
+  for (const std::string& warning : input.warnings) {
+    if (!arguments.quiet) {
+      console.err << "sandsim: warning: " << warning << '\n';
+    }
+  }
+  require_memory(input.scene);
+  input.resolved = resolved_scene(input.scene);
+  input.hash = scene_hash(input.resolved, input_files(input.scene, file.parent_path()));
+  input.directory = arguments.output.empty() ? default_output_directory(file) : fs::path(arguments.output);
+  return input;
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Only a run that came to its end has a series without ".partial".
+bool is_finished(const OutputFiles& files) {
+  return fs::exists(files.series) && !fs::exists(partial_series_path(files.series));
+}
+
+/// Nothing is left to do: says so. Throws InputError if the finished run was one of another scene.
+void report_finished(const RunArguments& arguments, const RunInput& input, const OutputFiles& files, Console& console) {
+  if (read_text(files.scene) != input.resolved) {
+    throw InputError(
+        fmt::format("{}: holds the finished run of another scene; nothing to resume\n"
+                    "  choose another directory with -o, or --overwrite it",
+                    files.directory.string()));
+  }
+  if (arguments.json) {
+    console.out << read_text(files.report);
+  } else if (!arguments.quiet) {
+    console.out << files.directory.string() << ": the run is finished; nothing to resume\n";
+  }
+}
+
+Checkpoint load_checkpoint(const RunInput& input, const OutputFiles& files) {
+  if (!fs::exists(files.checkpoint)) {
+    throw InputError(
+        fmt::format("{}: no checkpoint to go on from\n"
+                    "  a run leaves one when it is interrupted, and every output.checkpoint_interval; "
+                    "start anew without --resume{}",
+                    files.checkpoint.string(),
+                    fs::exists(files.directory) ? ", with --overwrite if the directory holds results" : ""));
+  }
+  return read_checkpoint(files.checkpoint, input.hash);
+}
+
+ExitCode run_scene(const RunArguments& arguments, Console& console, RunContext& context) {
+  require_device(arguments.device);
+  const RunInput input = read_input(arguments, console);
+  context.title = input.scene.title;
+  context.scene_hash = input.hash;
+  context.output = input.directory.string();
+  const OutputFiles planned(input.directory);
+  std::optional<Checkpoint> checkpoint;
+  if (arguments.resume) {
+    if (is_finished(planned)) {
+      report_finished(arguments, input, planned, console);
+      return ExitCode::done;
+    }
+    checkpoint = load_checkpoint(input, planned);
+  }
+  const OutputFiles files = prepare_output_directory(input.directory, arguments.overwrite, arguments.resume);
+  RunSession session(arguments, input, files, context, console);
+  return session.run(checkpoint ? &*checkpoint : nullptr);
+}
+
+}  // namespace
+
+ExitCode run_command(const RunArguments& arguments, Console& console) {
+  RunContext context;
+  context.scene_file = arguments.scene;
+  context.command_line = arguments.command_line;
+  context.started = time_stamp();
+  try {
+    return run_scene(arguments, console, context);
+  } catch (...) {
+    // Whoever asked for a document gets one, whatever went wrong.
+    if (arguments.json) {
+      console.out << run_report_json(failed_report(current_failure()), context);
+    }
+    throw;
+  }
+}
+
+}  // namespace sandsim::cli
