@@ -13,9 +13,9 @@ namespace {
 
 constexpr double no_cap = 1e30;  // [m] as initial_state.hpp promises
 
-/// "terrain", or "terrain[2]" where it is a list.
+/// "terrain", or "terrain.2" where it is a list.
 std::string entry_key(const std::string& list, std::size_t index, std::size_t size) {
-  return size == 1 ? list : list + "[" + std::to_string(index) + "]";
+  return size == 1 ? list : list + "." + std::to_string(index);
 }
 
 /// The file's values on the grid; empty, and a problem, if it does not fit.
@@ -244,9 +244,8 @@ std::vector<double> build_friction(const Scene& scene, GridProblems& problems) {
                           "the friction coefficient is negative or not finite");
   }
   const auto allowed = [](double angle) { return angle >= 0.0 && angle < 0.5 * std::numbers::pi; };
-  std::vector<double> values =
-      build_material(*sand.friction_angle, scene.grid, "sand.friction_angle", problems, allowed,
-                     "the friction angle is not in [0, pi/2) rad (the values of a map are radians)");
+  std::vector<double> values = build_material(*sand.friction_angle, scene.grid, "sand.friction_angle", problems,
+                                              allowed, "the friction angle is not in [0, pi/2) rad");
   std::transform(values.begin(), values.end(), values.begin(), [](double angle) { return std::tan(angle); });
   return values;
 }
