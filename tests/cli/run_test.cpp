@@ -1,0 +1,232 @@
+// sandsim run, check and info, called in-process.
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "series_values.hpp"
+#include "support.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace sandsim::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder with a scene, and where its results go.
+struct Workplace {
+  explicit Workplace(const std::string& text) { write_text(scene, text); }
+
+  Outcome run(std::vector<std::string> more = {}) const {
+    std::vector<std::string> args{"run", scene.string(), "-o", results.string()};
+    args.insert(args.end(), more.begin(), more.end());
+    return call(args);
+  }
+
+  TemporaryDirectory folder;
+  fs::path scene = folder / "dam/scene.yaml";
+  fs::path results = folder / "results";
+};
+
+/// Puts the process into a folder and back.
+class WorkingDirectory {
+ public:
+  explicit WorkingDirectory(const fs::path& path) : before_(fs::current_path()) { fs::current_path(path); }
+  ~WorkingDirectory() { fs::current_path(before_); }
+
+ private:
+  fs::path before_;
+};
+
+}  // namespace
+
+TEST_CASE("a run writes its files and prints a summary of one screen") {
+  const Workplace place(small_scene());
+  const Outcome outcome = place.run();
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  for (const char* name : {"scene.resolved.yaml", "run.json", "series.h5", "series.xdmf", "log.txt"}) {
+    INFO(name);
+    CHECK(fs::exists(place.results / name));
+  }
+  CHECK_FALSE(fs::exists(place.results / "series.h5.partial"));
+  CHECK_FALSE(fs::exists(place.results / "checkpoint.h5"));
+  CHECK(outcome.out.starts_with("Small dam break (40 x 1 cells)\n"));
+  CHECK(contains(outcome.out, "status"));
+  CHECK(contains(outcome.out, "volume"));
+  CHECK(contains(outcome.out, place.results.string()));
+  CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') <= 24);
+}
+
+TEST_CASE("a run goes to results and the name of the scene folder") {
+  const Workplace place(small_scene());
+  const WorkingDirectory here(place.folder.path());
+  CHECK(call({"run", "dam", "-q"}).code == 0);
+  CHECK(fs::exists(place.folder / "results/dam/series.h5"));
+  fs::rename(place.scene, place.folder / "dam/other.yaml");
+  CHECK(call({"run", "dam/other.yaml", "-q"}).code == 0);
+  CHECK(fs::exists(place.folder / "results/other/series.h5"));
+}
+
+TEST_CASE("a quiet run prints nothing") {
+  const Outcome outcome = Workplace(small_scene()).run({"-q"});
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.empty());
+}
+
+TEST_CASE("a verbose run says which device it took") {
+  const Outcome outcome = Workplace(small_scene()).run({"-v"});
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.err, "device cpu (auto)"));
+}
+
+TEST_CASE("the report on standard output is the one in the directory") {
+  const Workplace place(small_scene());
+  const Outcome outcome = place.run({"--json"});
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out == read_text(place.results / "run.json"));
+  CHECK(contains(outcome.out, "\"exit_code\": 0"));
+}
+
+TEST_CASE("the precision option overrides the scene and the set option") {
+  const Workplace place(small_scene());
+  CHECK(place.run({"--set", "numerics.precision=float32", "--precision", "float64"}).code == 0);
+  CHECK(contains(read_text(place.results / "run.json"), "\"precision\": \"float64\""));
+}
+
+TEST_CASE("the number of threads does not change the series") {
+  const Workplace place(small_scene());
+  CHECK(place.run({"--threads", "1"}).code == 0);
+  CHECK(call({"run", place.scene.string(), "-o", (place.folder / "two").string(), "--threads", "2"}).code == 0);
+  CHECK(differing_values(place.results / "series.h5", place.folder / "two/series.h5").empty());
+}
+
+TEST_CASE("a directory that is not empty is refused unless it may be overwritten") {
+  const Workplace place(small_scene());
+  write_text(place.results / "notes.txt", "mine");
+  const Outcome refused = place.run();
+  CHECK(refused.code == 6);
+  CHECK(contains(refused.err, "--overwrite"));
+  CHECK_FALSE(fs::exists(place.results / "series.h5"));
+  CHECK(place.run({"--overwrite"}).code == 0);
+  CHECK(read_text(place.results / "notes.txt") == "mine");
+}
+
+TEST_CASE("a directory that cannot be made is an output error") {
+  const Workplace place(small_scene());
+  write_text(place.folder / "file", "");
+  for (const std::string directory : {"/proc/sandsim", (place.folder / "file").string().c_str()}) {
+    const Outcome outcome = call({"run", place.scene.string(), "-o", directory});
+    INFO(outcome.err);
+    CHECK(outcome.code == 6);
+    CHECK(outcome.err.starts_with("sandsim: error: "));
+  }
+}
+
+TEST_CASE("a directory that is read-only is an output error") {
+  if (geteuid() == 0) {
+    WARN("skipped: root writes everywhere");
+    return;
+  }
+  const Workplace place(small_scene());
+  fs::create_directory(place.results);
+  fs::permissions(place.results, fs::perms::owner_read | fs::perms::owner_exec);
+  CHECK(place.run().code == 6);
+}
+
+TEST_CASE("an invalid scene exits 2 and writes nothing") {
+  const Workplace place("grid: {cells: [40, 1], spacing: 1}\nsnad: {}\n");
+  const Outcome outcome = place.run();
+  INFO(outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(outcome.err.starts_with("sandsim: error: "));
+  CHECK(contains(outcome.err, "snad"));
+  CHECK_FALSE(fs::exists(place.results));
+}
+
+TEST_CASE("a failure with json is a report too") {
+  const Outcome outcome = Workplace("grid: {}\n").run({"--json"});
+  CHECK(outcome.code == 2);
+  CHECK(contains(outcome.out, "\"exit_code\": 2"));
+  CHECK(contains(outcome.out, "\"status\": \"failed\""));
+}
+
+TEST_CASE("a missing scene exits 3") {
+  const Outcome outcome = call({"run", "/nowhere/scene.yaml"});
+  CHECK(outcome.code == 3);
+  CHECK(contains(outcome.err, "/nowhere/scene.yaml"));
+}
+
+TEST_CASE("a cuda run without a cuda backend exits 4 and says what to do") {
+  const Outcome outcome = Workplace(small_scene()).run({"--device", "cuda"});
+  CHECK(outcome.code == 4);
+  CHECK(contains(outcome.err, "built without a CUDA backend"));
+  CHECK(contains(outcome.err, "--device cpu"));
+}
+
+TEST_CASE("a grid that no memory holds exits 4") {
+  const Outcome outcome = Workplace(small_scene()).run({"--set", "grid.cells=[200000, 200000]"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 4);
+  CHECK(contains(outcome.err, "memory"));
+}
+
+TEST_CASE("a resume without a checkpoint exits 3 and leaves no directory") {
+  const Workplace place(small_scene());
+  const Outcome outcome = place.run({"--resume"});
+  CHECK(outcome.code == 3);
+  CHECK(contains(outcome.err, "checkpoint"));
+  CHECK_FALSE(fs::exists(place.results));
+}
+
+TEST_CASE("a resume of a finished run says so and touches nothing") {
+  const Workplace place(small_scene());
+  REQUIRE(place.run().code == 0);
+  const std::string log = read_text(place.results / "log.txt");
+  const auto written = fs::last_write_time(place.results / "series.h5");
+  const Outcome outcome = place.run({"--resume"});
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "finished"));
+  CHECK(read_text(place.results / "log.txt") == log);
+  CHECK(fs::last_write_time(place.results / "series.h5") == written);
+}
+
+TEST_CASE("a resume of a finished run of another scene is refused") {
+  const Workplace place(small_scene());
+  REQUIRE(place.run().code == 0);
+  const Outcome outcome = place.run({"--resume", "--set", "time.end=3 s"});
+  CHECK(outcome.code == 3);
+  CHECK(contains(outcome.err, "another scene"));
+}
+
+TEST_CASE("check prints the resolved scene and its needs and writes nothing") {
+  const Workplace place(small_scene());
+  const Outcome outcome = call({"check", place.scene.string(), "--set", "numerics.order=1"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  for (const char* part : {"order: 1", "stages", "memory", "steps", "output", "scene is valid"}) {
+    INFO(part);
+    CHECK(contains(outcome.out, part));
+  }
+  CHECK_FALSE(fs::exists(place.results));
+}
+
+TEST_CASE("the resolved scene gives the same result again") {
+  const Workplace place(small_scene());
+  REQUIRE(place.run().code == 0);
+  const fs::path again = place.folder / "again";
+  const Outcome outcome = call({"run", (place.results / "scene.resolved.yaml").string(), "-o", again.string()});
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(differing_values(place.results / "series.h5", again / "series.h5").empty());
+}
+
+TEST_CASE("info describes a result and exits 3 where there is none") {
+  const Workplace place(small_scene());
+  REQUIRE(place.run().code == 0);
+  const Outcome outcome = call({"info", place.results.string()});
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "depth"));
+  CHECK(call({"info", place.folder.path().string()}).code == 3);
+}
