@@ -17,7 +17,7 @@ void describe(V& v, Grid& g) {
           "Number of cells along x and y. One row is a 1-D scene.");
   v.field("spacing", g.spacing, length().above(0).without_cells().required().like("1 cm"),
           "Side of a cell, the same in x and y.");
-  v.field("origin", g.origin, length().like("[0 m, 0 m]"), "Corner of the grid; cell centres lie half a spacing in.");
+  v.field("origin", g.origin, length(), "Corner of the grid; cell centres lie half a spacing in.");
 }
 
 // ---- terrain --------------------------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ Problems::Problems(std::string name, std::vector<std::string> overrides)
 std::string Problems::format(const Position& position, std::string_view subject, const Complaint& complaint) const {
   std::string text;
   if (position.override_at >= 0) {
-    text = "--set " + shown(overrides_[static_cast<std::size_t>(position.override_at)]) + ": ";
+    text = "--set " + shown(overrides_[static_cast<std::size_t>(position.override_at)], 200) + ": ";
   } else if (position.line > 0) {
     text = name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column) + ": ";
   } else {
@@ -97,13 +97,25 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
-std::string alternatives(const std::vector<std::string>& words) {
+namespace {
+
+std::string join(const std::vector<std::string>& words, const char* last_separator) {
   std::string text;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (k > 0) text += k + 1 == words.size() ? " or " : ", ";
+    if (k > 0) text += k + 1 == words.size() ? last_separator : ", ";
     text += words[k];
   }
   return text;
+}
+
+}  // namespace
+
+std::string alternatives(const std::vector<std::string>& words) {
+  return join(words, " or ");
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  return join(words, ", ");
 }
 
 }  // namespace sandsim

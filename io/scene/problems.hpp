@@ -52,4 +52,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& words);
 
+/// "a, b, c".
+std::string listed(const std::vector<std::string>& words);
+
 }  // namespace sandsim

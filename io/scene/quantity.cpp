@@ -176,7 +176,7 @@ std::vector<std::string> unit_names(Dimension dimension, bool with_cells) {
   return names;
 }
 
-Parsed<double> parse_number(std::string_view text) {
+Parsed<double> parse_plain_number(std::string_view text) {
   const Parsed<Leading> parsed = leading_number(text);
   if (const Complaint* complaint = std::get_if<Complaint>(&parsed)) return *complaint;
   const Leading& number = std::get<Leading>(parsed);
@@ -190,7 +190,7 @@ Parsed<double> parse_number(std::string_view text) {
 }
 
 Parsed<int> parse_count(std::string_view text) {
-  const Parsed<double> parsed = parse_number(text);
+  const Parsed<double> parsed = parse_plain_number(text);
   if (const Complaint* complaint = std::get_if<Complaint>(&parsed)) return *complaint;
   if (text.starts_with('+')) text.remove_prefix(1);
   int value = 0;
@@ -202,20 +202,18 @@ Parsed<int> parse_count(std::string_view text) {
   return value;
 }
 
-Parsed<double> parse_quantity(std::string_view text, Dimension dimension, double cell) {
-  if (dimension == Dimension::none) return parse_number(text);
+Parsed<double> parse_quantity(std::string_view text, Dimension dimension, double cell, std::string_view sample) {
+  if (dimension == Dimension::none) return parse_plain_number(text);
   Parsed<Leading> parsed = leading_number(text);
   if (Complaint* complaint = std::get_if<Complaint>(&parsed)) {
     if (complaint->suggestion.empty()) {
-      complaint->suggestion = "Write " + std::string(noun(dimension)) + " like \"" + example(dimension) + "\".";
+      complaint->suggestion = "Write " + std::string(noun(dimension)) + " like \"" + std::string(sample) + "\".";
     }
     return *complaint;
   }
   const Leading& number = std::get<Leading>(parsed);
   const std::string_view unit = without_spaces(number.rest);
   if (unit.empty()) {
-    // The bare number with the unit that people would most likely have meant: that of the example.
-    const std::string_view sample = example(dimension);
     return Complaint{
         std::string(noun(dimension)) + " needs a unit", "no unit is assumed",
         "Did you mean \"" + std::string(without_spaces(text)) + std::string(sample.substr(sample.find(' '))) + "\"?"};
@@ -235,7 +233,7 @@ Parsed<double> parse_quantity(std::string_view text, Dimension dimension, double
   return value;
 }
 
-std::string number_text(double value) {
+std::string shortest_text(double value) {
   std::array<char, 32> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return {buffer.data(), result.ptr};
@@ -243,7 +241,7 @@ std::string number_text(double value) {
 
 std::string quantity_text(double value, Dimension dimension) {
   const std::span<const Unit> known = units(dimension);
-  return known.empty() ? number_text(value) : number_text(value) + ' ' + known.front().name;
+  return known.empty() ? shortest_text(value) : shortest_text(value) + ' ' + known.front().name;
 }
 
 }  // namespace sandsim

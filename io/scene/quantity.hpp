@@ -34,14 +34,15 @@ template <class T>
 using Parsed = std::variant<T, Complaint>;
 
 /// `text` as a number without a unit. Rejects 010, 0x10, 1_000, 1,5, .nan, .inf and what double cannot hold.
-Parsed<double> parse_number(std::string_view text);
+Parsed<double> parse_plain_number(std::string_view text);
 Parsed<int> parse_count(std::string_view text);
 
 /// `text` ("5 cm") in SI units. `cell` is the grid's spacing [m] for lengths in cells, 0 where these are not allowed.
-Parsed<double> parse_quantity(std::string_view text, Dimension dimension, double cell);
+/// `sample` is a value as it may look like; a bare number is suggested to be in its unit.
+Parsed<double> parse_quantity(std::string_view text, Dimension dimension, double cell, std::string_view sample);
 
 /// The shortest text that reads back to the same bits.
-std::string number_text(double value);
+std::string shortest_text(double value);
 /// In SI units, e.g. "0.05 m"; a plain number for Dimension::none.
 std::string quantity_text(double value, Dimension dimension);
 

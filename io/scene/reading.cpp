@@ -104,7 +104,7 @@ void Reading::parse(const Node& node, const std::string& path, double& target, c
     complain(node, path, {"a number is needed, not text", "it is in quotes", "Remove the quotes."});
     return;
   }
-  const Parsed<double> parsed = parse_quantity(node.text, rule.dimension, rule.has_cells ? cell_ : 0.0);
+  const Parsed<double> parsed = parse_quantity(node.text, rule.dimension, rule.has_cells ? cell_ : 0.0, rule.example());
   if (const Complaint* complaint = std::get_if<Complaint>(&parsed)) {
     complain(node, path, *complaint);
     return;

@@ -11,7 +11,7 @@ double si(double bound, Dimension dimension) {
 }
 
 std::string bound_text(double bound, Dimension dimension) {
-  return dimension == Dimension::angle ? number_text(bound) + " deg" : quantity_text(bound, dimension);
+  return dimension == Dimension::angle ? shortest_text(bound) + " deg" : quantity_text(bound, dimension);
 }
 
 }  // namespace

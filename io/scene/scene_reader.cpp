@@ -59,7 +59,7 @@ class MapReader {
       reading_.complain_key(
           child.position, path_of(child.key),
           {"unknown key", "",
-           (near.empty() ? "" : "Did you mean '" + near + "'? ") + "Valid keys: " + alternatives(keys_) + '.'});
+           (near.empty() ? "" : "Did you mean '" + near + "'? ") + "Valid keys: " + listed(keys_) + '.'});
     }
   }
 
@@ -123,7 +123,7 @@ class MapReader {
       }
       reading_.note_single(path);
       target.resize(1);
-      read(node, path + ".0", target[0], rule);
+      read_item(node, path, 0, target[0], rule);
       return;
     }
     if (node.children.empty() && !rule.is_empty_allowed) {
