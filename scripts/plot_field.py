@@ -42,7 +42,7 @@ def write_movie(series, path, largest, exaggeration, rate):
     with subprocess.Popen(command, stdin=subprocess.PIPE) as encoder:
         for frame in range(series.frames):
             image.set_data(shaded(series.surface(frame).astype(float), series.depth(frame).astype(float),
-                                  series.spacing, largest, exaggeration, 1e-3 * series.spacing))
+                                  series.spacing, largest, exaggeration))
             title.set_text(caption(series, frame))
             figure.canvas.draw()
             encoder.stdin.write(figure.canvas.buffer_rgba())

@@ -7,14 +7,16 @@ import subprocess
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
-from matplotlib.colors import LightSource, LinearSegmentedColormap  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-SAND = LinearSegmentedColormap.from_list("sand", ["#f5e6c4", "#e3b96f", "#b9782f", "#6e3b12"])
-BARE = "#9aa0a6"
+SAND = LinearSegmentedColormap.from_list("sand", ["#fbefd2", "#ecc986", "#cf9048", "#96571f"])
+BARE = "#a9adb2"
+LIGHT = np.radians(45)           # height of the light above the horizon
 COLOURS = ["#1f5fa8", "#d1722a", "#3f8f4f", "#a23b72", "#6b5b95", "#8a8a3a"]
 
 plt.rcParams.update({
@@ -57,20 +59,26 @@ def run(scene, output, settings=(), reuse=False, options=()):
     return json.loads(report.read_text())
 
 
-def shaded(surface, depth, spacing, largest, exaggeration, dry):
-    """An RGB picture (y, x, 3) of a height field: sand coloured by depth, bare ground grey, lit from north-west."""
+def shaded(surface, depth, spacing, largest, exaggeration=1.0):
+    """An RGB picture (y, x, 3) of a height field, lit from the north-west: sand coloured by its depth, ground grey.
+
+    Level ground has the colour of the colour bar. Sand below half a percent of the scale is drawn as ground.
+    """
+    rise_y, rise_x = np.gradient(exaggeration * surface, spacing)
+    towards_light = np.cos(LIGHT) / np.sqrt(2)
+    shade = (rise_x - rise_y) * towards_light / np.sin(LIGHT) + 1
+    shade = shade / np.sqrt(1 + rise_x**2 + rise_y**2)
+    shade = np.clip(1 + 0.7 * (shade - 1), 0.6, 1.3)[..., None]     # softer than Lambert's law
     colours = SAND(depth / largest if largest > 0 else depth)[..., :3]
-    colours[depth <= dry] = matplotlib.colors.to_rgb(BARE)
-    light = LightSource(azdeg=315, altdeg=40)
-    return light.shade_rgb(colours, surface, blend_mode="soft", vert_exag=exaggeration, dx=spacing, dy=spacing)
+    colours[depth <= 0.005 * largest] = matplotlib.colors.to_rgb(BARE)
+    return np.where(shade < 1, colours * shade, colours + (1 - colours) * (shade - 1))
 
 
-def show_field(axes, series, frame, largest=None, exaggeration=1.0, dry=None):
+def show_field(axes, series, frame, largest=None, exaggeration=1.0):
     """A shaded map of one frame; returns the picture and the colour scale of its depth."""
     depth = series.depth(frame).astype(float)
     largest = float(depth.max()) if largest is None else largest
-    dry = 1e-3 * series.spacing if dry is None else dry
-    picture = shaded(series.surface(frame).astype(float), depth, series.spacing, largest, exaggeration, dry)
+    picture = shaded(series.surface(frame).astype(float), depth, series.spacing, largest, exaggeration)
     image = axes.imshow(picture, origin="lower", extent=series.extent, interpolation="nearest")
     axes.set(xlabel="x [m]", ylabel="y [m]")
     axes.grid(False)

@@ -15,7 +15,9 @@ import numpy as np
 import yaml
 
 NAMES = ("series.h5", "series.h5.partial")
-COORDINATES = ("time", "x", "y", "front_depth", "probe_name")
+NUMBERS = ("volume", "kinetic_energy", "max_speed", "time_step_min", "time_step_max", "steps", "wall_time",
+           "moving_cells")
+OVER_TIME = (*NUMBERS, "front", "reference_tip")
 
 
 class Series:
@@ -42,8 +44,7 @@ class Series:
         self.fronts = self._read("front")                   # (time, front_depth) [m]
         self.reference_tip = self._read("reference_tip")    # (time) [m] exact tip
         self.probe_names = [_text(name) for name in self._read("probe_name", ())]
-        self.numbers = {name: data[:self.frames] for name, data in self._h5.items()
-                        if data.shape == time.shape and name not in (*COORDINATES, "reference_tip")}
+        self.numbers = {name: self._read(name) for name in NUMBERS if name in self._h5}
         self.attributes = {name: _text(value) for name, value in self._h5.attrs.items()}
         self.title = self.attributes.get("title", self.directory.name)
         self.scene = yaml.safe_load(self.attributes.get("scene", "")) or {}
@@ -59,6 +60,10 @@ class Series:
     @property
     def one_dimensional(self):
         return self.y.size == 1
+
+    @property
+    def has_fields(self):
+        return "depth" in self._h5
 
     @property
     def spacing(self):
@@ -119,9 +124,7 @@ class Series:
     def _read(self, name, default=None):
         if name not in self._h5:
             return default
-        data = self._h5[name]
-        dimension = data.dims[0].keys() if data.ndim else []
-        return data[:self.frames] if "time" in dimension or name in ("front", "reference_tip") else data[:]
+        return self._h5[name][:self.frames] if name in OVER_TIME else self._h5[name][:]
 
     def _static(self, name, default=None):
         if name in self._h5:
