@@ -8,6 +8,7 @@
 
 #include "io/raster/read_csv.hpp"
 #include "io/raster/read_raster.hpp"
+#include "io/scene/value_text.hpp"
 #include "solver/errors.hpp"
 
 namespace sandsim {
@@ -229,7 +230,7 @@ void Reading::parse(const Node& node, const std::string& path, ScalarMap& target
     return;
   }
   // The values of a map have no unit of their own, so that it is stated beside the file.
-  const std::string unit = rule.dimension == Dimension::angle ? "deg" : rule.dimension == Dimension::length ? "m" : "";
+  const std::string unit = map_unit(rule.dimension);
   const std::string like = unit.empty() ? "{raster: map.asc}" : "{raster: map.asc, unit: " + unit + "}";
   for (const Node& child : node.children) {
     if (child.key == "raster" || (child.key == "unit" && !unit.empty())) continue;

@@ -1,0 +1,173 @@
+#include "io/scene/format_reference.hpp"
+
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "io/scene/parameters.hpp"
+#include "io/scene/value_text.hpp"
+
+namespace sandsim {
+
+namespace {
+
+constexpr const char* introduction = R"(# The scene format
+
+<!-- Written by `sandsim schema --reference`. Change io/scene/parameters.hpp instead. -->
+
+A scene is one YAML document. Names of files in it are relative to its folder.
+
+- Quantities are a number and a unit, `5 cm`. A unit is never assumed: a bare number where a unit is needed is an error,
+  and so is a unit on a pure number. `cells` is the grid's spacing.
+- Numbers are decimal and finite: no `010`, `0x10`, `1_000`, `.nan`. Booleans are `true` and `false`.
+- Unknown keys, duplicate keys and keys that do not apply are errors. All problems of a scene are reported at once.
+- `sandsim schema` prints the JSON Schema of this format; editors use it after the first line
+  `# yaml-language-server: $schema=../scene.schema.json`.
+- `--set key.path=value` replaces a value before the scene is read: `--set time.end=5s`,
+  `--set sand.initial.0.depth=30cm` (entries of a list count from 0), `--set "sand.hbar={policy: full}"`.
+  `--set key.path=` removes a key.
+
+The units of each kind of quantity, the SI unit first:
+
+)";
+
+std::string units_table() {
+  std::string text = "| kind | units |\n|---|---|\n";
+  for (const auto& [name, dimension] :
+       {std::pair{"length", Dimension::length}, std::pair{"angle", Dimension::angle},
+        std::pair{"time", Dimension::time}, std::pair{"acceleration", Dimension::acceleration},
+        std::pair{"volume rate", Dimension::volume_rate}}) {
+    text += std::string("| ") + name + " | " + listed(unit_names(dimension, true)) + " |\n";
+  }
+  return text;
+}
+
+std::string kind_of(const Rule& rule) {
+  const std::string text = noun(rule.dimension);
+  return text.substr(text.find(' ') + 1);
+}
+
+/// Visitor of the table that writes one map's keys, and the maps below it after that.
+class PageWriter {
+ public:
+  explicit PageWriter(std::string path) : path_(std::move(path)) {}
+
+  template <class T>
+  void field(const char* key, T& value, const Rule& rule, const char* meaning) {
+    std::string by_default = rule.is_required ? "required" : default_text(value, rule);
+    std::string note = meaning;
+    if (!rule.only_with.empty()) note += " Only with `" + rule.only_with + "`.";
+    rows_ += std::string("| `") + key + "` | " + type(key, value, rule) + " | " + rule.bounds_text() + " | " +
+             by_default + " | " + note + " |\n";
+  }
+
+  std::string page() const {
+    return (rows_.empty() ? "" : "\n| key | type | bounds | default | meaning |\n|---|---|---|---|---|\n" + rows_) +
+           sections_;
+  }
+
+ private:
+  // ---- defaults
+  // -------------------------------------------------------------------------------------------------------
+  template <class T>
+  static std::string default_text(const T& value, const Rule& rule) {
+    if constexpr (OneLine<T>) {
+      const std::string text = value_text(value, rule);
+      return text == "\"\"" ? "" : '`' + text + '`';
+    } else {
+      return "";
+    }
+  }
+
+  // ---- types
+  // ------------------------------------------------------------------------------------------------------------
+  template <class T>
+  std::string type(const std::string& key, T& value, const Rule&) {
+    if constexpr (std::is_enum_v<T>) {
+      std::vector<std::string> words = enum_names<T>();
+      for (std::string& word : words) word = '`' + word + '`';
+      return alternatives(words);
+    } else {
+      add_section(key, value, "");
+      return "map, see [" + path_ + key + "](#" + anchor(path_ + key) + ')';
+    }
+  }
+  std::string type(const std::string&, double&, const Rule& rule) { return kind_of(rule); }
+  std::string type(const std::string&, int&, const Rule&) { return "whole number"; }
+  std::string type(const std::string&, bool&, const Rule&) { return "`true` or `false`"; }
+  std::string type(const std::string&, std::string&, const Rule&) { return "text"; }
+  std::string type(const std::string&, RasterFile&, const Rule&) { return "file"; }
+  std::string type(const std::string&, Profile&, const Rule&) { return "file"; }
+  std::string type(const std::string&, FrontCurve&, const Rule&) { return "file"; }
+  std::string type(const std::string&, Reserved&, const Rule&) { return "empty list"; }
+  std::string type(const std::string&, ScalarMap&, const Rule& rule) { return kind_of(rule) + ", or a map"; }
+
+  template <class T>
+  std::string type(const std::string& key, std::optional<T>&, const Rule& rule) {
+    T value{};
+    return type(key, value, rule);
+  }
+  template <class T, std::size_t N>
+  std::string type(const std::string& key, std::array<T, N>& values, const Rule& rule) {
+    return "[x, y], each a " + type(key, values[0], rule);
+  }
+  template <class T>
+  std::string type(const std::string& key, std::vector<T>&, const Rule& rule) {
+    T entry{};
+    const std::string item = type(key, entry, rule);
+    return (rule.is_single_allowed ? "one or a list of: " : "list of: ") + item;
+  }
+  template <class... Ts>
+  std::string type(const std::string& key, std::variant<Ts...>&, const Rule&) {
+    (add_alternative<Ts>(key), ...);
+    std::vector<std::string> links{link<Ts>(key)...};
+    return "map with a `type`: " + alternatives(links);
+  }
+
+  // ---- sections
+  // ---------------------------------------------------------------------------------------------------------
+  static std::string anchor(const std::string& title) {
+    std::string result;
+    for (const char c : title) {
+      if (c == ' ') result += '-';
+      if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_') result += c;
+    }
+    return result;
+  }
+
+  template <class T>
+  std::string link(const std::string& key) const {
+    return std::string("[") + TypeName<T>::name + "](#" + anchor(path_ + key + " type " + TypeName<T>::name) + ')';
+  }
+
+  template <class T>
+  void add_alternative(const std::string& key) {
+    T value{};
+    add_section(key, value, TypeName<T>::name, TypeName<T>::purpose);
+  }
+
+  template <class T>
+  void add_section(const std::string& key, T& value, const std::string& type_name, const char* purpose = nullptr) {
+    PageWriter members(path_ + key + '.');
+    describe(members, value);
+    sections_ += "\n## " + path_ + key + (type_name.empty() ? "" : ", type: " + type_name) + '\n';
+    if (purpose != nullptr) sections_ += '\n' + std::string(purpose) + '\n';
+    sections_ += members.page();
+  }
+
+  std::string path_;  // with a point at its end
+  std::string rows_;
+  std::string sections_;
+};
+
+}  // namespace
+
+std::string format_reference() {
+  Scene defaults;
+  PageWriter writer("");
+  describe(writer, defaults);
+  return introduction + units_table() + "\n## The scene\n" + writer.page();
+}
+
+}  // namespace sandsim
