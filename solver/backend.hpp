@@ -16,23 +16,23 @@ namespace sandsim {
 /// What a backend has to know besides the initial state.
 struct BackendConfig {
   Grid grid;
-  double gravity = 9.8;                      // [m/s^2]
+  double gravity = 9.8;  // [m/s^2]
   Boundaries boundaries;
   Numerics numerics;
   double courant = 0.6;
-  bool maxima = false;                       // keep max_depth, max_speed, arrival_time
-  double arrival_depth = 0.0;                // [m]
-  int threads = 0;                           // 0: as many as the machine has; results do not depend on it
-  int tile_columns = 0;                      // 0: chosen by the backend; results do not depend on it
-  int block_rows = 0;                        // likewise
+  bool maxima = false;         // keep max_depth, max_speed, arrival_time
+  double arrival_depth = 0.0;  // [m]
+  int threads = 0;             // 0: as many as the machine has; results do not depend on it
+  int tile_columns = 0;        // 0: chosen by the backend; results do not depend on it
+  int block_rows = 0;          // likewise
 };
 
 /// What a step did.
 struct StepOutcome {
-  bool moving = false;                       // some cell has momentum
-  bool changed = false;                      // some depth or momentum differs from before the step
-  bool broken = false;                       // some value is not finite, or a depth is negative
-  double volume_out = 0.0;                   // [m^3] left through open sides
+  bool moving = false;      // some cell has momentum
+  bool changed = false;     // some depth or momentum differs from before the step
+  bool broken = false;      // some value is not finite, or a depth is negative
+  double volume_out = 0.0;  // [m^3] left through open sides
 };
 
 /// Depth and momentum: ny * nx, x fastest, in the run's precision.
@@ -42,23 +42,23 @@ struct StateArrays {
 
 /// Sums over the grid (in an order that does not depend on threads).
 struct GridStatistics {
-  double volume = 0.0;                       // [m^3]
-  double kinetic_energy = 0.0;               // [m^5/s^2]
-  double max_speed = 0.0;                    // [m/s]
+  double volume = 0.0;          // [m^3]
+  double kinetic_energy = 0.0;  // [m^5/s^2]
+  double max_speed = 0.0;       // [m/s]
   std::int64_t moving_cells = 0;
 };
 
 /// Sand to be added to the cells of a source.
 struct SandRain {
-  std::vector<std::int64_t> cells;           // j * nx + i
-  double rate = 0.0;                         // [m/s] growth of depth in each of them
+  std::vector<std::int64_t> cells;  // j * nx + i
+  double rate = 0.0;                // [m/s] growth of depth in each of them
 };
 
 /// A cell with the speed that bounds the step there.
 struct SpeedLimit {
   int i = -1;
   int j = -1;
-  double speed = 0.0;                        // [m/s]
+  double speed = 0.0;  // [m/s]
 };
 
 /// Holds the state and advances it.

@@ -29,7 +29,8 @@ class Field {
   /// All values, the halo's too, are `value`. rows = 1 with repeat_row makes a field of one repeated row.
   Field(int nx, int ny, R value, bool repeat_row = false) {
     constexpr std::ptrdiff_t line = static_cast<std::ptrdiff_t>(64 / sizeof(R));
-    const std::ptrdiff_t width = (line + nx + halo + line - 1) / line * line;  // a full line before column 0
+    // A full line before column 0, and two behind the halo: loops over packs of cells may read and write past the end.
+    const std::ptrdiff_t width = (line + nx + halo + 2 * line + line - 1) / line * line;
     const std::ptrdiff_t rows = repeat_row ? 1 : ny + 2 * halo;
     size_ = static_cast<std::size_t>(width * rows);
     data_.reset(static_cast<R*>(std::aligned_alloc(64, size_ * sizeof(R))));

@@ -11,14 +11,14 @@ namespace sandsim {
 /// A regular grid of values, row 0 at the smallest y (readers flip files that start in the north).
 /// Values without data are NaN.
 struct Raster {
-  std::size_t nx = 0;                  // columns
-  std::size_t ny = 0;                  // rows
-  double origin_x = 0.0;               // [m] centre of column 0
-  double origin_y = 0.0;               // [m] centre of row 0
-  double spacing_x = 1.0;              // [m]
-  double spacing_y = 1.0;              // [m]
-  bool has_georeference = false;       // false: the file carries no position (.npy); it then covers the grid
-  std::vector<double> values;          // nx * ny, row major, x fastest
+  std::size_t nx = 0;             // columns
+  std::size_t ny = 0;             // rows
+  double origin_x = 0.0;          // [m] centre of column 0
+  double origin_y = 0.0;          // [m] centre of row 0
+  double spacing_x = 1.0;         // [m]
+  double spacing_y = 1.0;         // [m]
+  bool has_georeference = false;  // false: the file carries no position (.npy); it then covers the grid
+  std::vector<double> values;     // nx * ny, row major, x fastest
 
   double at(std::size_t column, std::size_t row) const { return values[row * nx + column]; }
 };

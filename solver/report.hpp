@@ -25,8 +25,8 @@ enum class ExitCode : int {
 struct StageReport {
   std::string name;
   double seconds = 0.0;
-  std::int64_t launches = 0;                 // calls of the stage
-  double bytes = 0.0;                        // bytes moved to and from memory by the stage's arrays, summed over calls
+  std::int64_t launches = 0;  // calls of the stage
+  double bytes = 0.0;         // bytes moved to and from memory by the stage's arrays, summed over calls
 };
 
 /// Volume that entered and left, summed over the run. [m^3]
@@ -35,7 +35,7 @@ struct Ledger {
   double final = 0.0;
   double in = 0.0;
   double out = 0.0;
-  double clipped = 0.0;                      // volume made or lost by clipping negative depths
+  double clipped = 0.0;  // volume made or lost by clipping negative depths
   /// (final - initial - in + out) / max(initial + in, tiny): relative drift. [-]
   double error() const;
 };
@@ -44,8 +44,8 @@ struct Ledger {
 struct Incident {
   int i = -1;
   int j = -1;
-  double time = 0.0;                         // [s]
-  double step = 0.0;                         // [s] length of the step, where that matters
+  double time = 0.0;  // [s]
+  double step = 0.0;  // [s] length of the step, where that matters
   std::string cause;
 };
 
@@ -53,45 +53,45 @@ struct Incident {
 /// reference's norm.
 struct ErrorReport {
   std::string against;
-  double time = 0.0;                         // [s] at which it was taken
-  std::optional<double> l1, l2, linf;        // [m^2] (1-D: per width), [m^1.5], [m]
-  std::optional<double> l1_relative;         // [-]
+  double time = 0.0;                   // [s] at which it was taken
+  std::optional<double> l1, l2, linf;  // [m^2] (1-D: per width), [m^1.5], [m]
+  std::optional<double> l1_relative;   // [-]
   struct Front {
-    double depth = 0.0;                      // [m] threshold; 0: the tip
-    double computed = 0.0;                   // [m]
-    std::optional<double> reference;         // [m]
+    double depth = 0.0;               // [m] threshold; 0: the tip
+    double computed = 0.0;            // [m]
+    std::optional<double> reference;  // [m]
   };
   std::vector<Front> fronts;
-  std::string note;                          // e.g. that the measured file is missing
+  std::string note;  // e.g. that the measured file is missing
 };
 
 struct RunReport {
-  std::string status = "not started";        // "done", "at rest", "failed", "interrupted", "wall-clock limit"
+  std::string status = "not started";  // "done", "at rest", "failed", "interrupted", "wall-clock limit"
   ExitCode exit_code = ExitCode::done;
   std::string message;
 
-  std::string device;                        // e.g. "cpu"
+  std::string device;  // e.g. "cpu"
   int threads = 1;
   std::string precision;
   std::string scheme;
   int order = 0;
   std::int64_t cells = 0;
   std::int64_t steps = 0;
-  std::int64_t frames = 0;                   // frames handed to the sinks
-  double simulated_time = 0.0;               // [s]
-  double wall_time = 0.0;                    // [s] whole run, output included
-  double first_step_time = 0.0;              // [s] wall clock from the start of the run to the first step
-  double cell_steps_per_second = 0.0;        // cells * steps / seconds spent in the solver's stages
+  std::int64_t frames = 0;             // frames handed to the sinks
+  double simulated_time = 0.0;         // [s]
+  double wall_time = 0.0;              // [s] whole run, output included
+  double first_step_time = 0.0;        // [s] wall clock from the start of the run to the first step
+  double cell_steps_per_second = 0.0;  // cells * steps / seconds spent in the solver's stages
   std::vector<StageReport> stages;
-  std::int64_t memory_bytes = 0;             // allocated by the backend
+  std::int64_t memory_bytes = 0;  // allocated by the backend
   Ledger ledger;
-  double dt_min = 0.0;                       // [s]
-  double dt_max = 0.0;                       // [s]
+  double dt_min = 0.0;  // [s]
+  double dt_max = 0.0;  // [s]
   std::optional<Incident> smallest_step;
   std::optional<Incident> failure;
   bool at_rest = false;
-  double stop_time = 0.0;                    // [s] first moment from which nothing moved; 0 if it never stopped
-  double max_slope_violation = 0.0;          // [-] at the end: largest |ds|/(mu dx) - 1 over wet faces, 0 if none
+  double stop_time = 0.0;            // [s] first moment from which nothing moved; 0 if it never stopped
+  double max_slope_violation = 0.0;  // [-] at the end: largest |ds|/(mu dx) - 1 over wet faces, 0 if none
   std::vector<ErrorReport> errors;
 };
 

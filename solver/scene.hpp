@@ -27,32 +27,30 @@ enum class Compression { none, gzip };
 
 /// Cell centres are at origin + (i + 1/2) spacing. One row (cells[1] == 1) is a 1-D scene.
 struct Grid {
-  std::array<int, 2> cells{0, 0};            // x, y
-  double spacing = 0.0;                      // [m] same in x and y
-  std::array<double, 2> origin{0.0, 0.0};    // [m] corner of the grid
+  std::array<int, 2> cells{0, 0};          // x, y
+  double spacing = 0.0;                    // [m] same in x and y
+  std::array<double, 2> origin{0.0, 0.0};  // [m] corner of the grid
 
   double x(int i) const { return origin[0] + (i + 0.5) * spacing; }
   double y(int j) const { return origin[1] + (j + 0.5) * spacing; }
   bool one_dimensional() const { return cells[1] == 1; }
-  std::size_t cell_count() const {
-    return static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]);
-  }
+  std::size_t cell_count() const { return static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]); }
 };
 
 // ---- terrain: the parts are added up ------------------------------------------------------------------------------
 struct FlatTerrain {
-  double elevation = 0.0;                    // [m]
+  double elevation = 0.0;  // [m]
 };
 /// Bed falling along `direction`: b = elevation - tan(inclination) ((x - origin_x) cos + (y - origin_y) sin).
 struct PlaneTerrain {
-  double inclination = 0.0;                  // [rad]
-  double direction = 0.0;                    // [rad] 0 is +x
-  double elevation = 0.0;                    // [m] at the grid's origin
+  double inclination = 0.0;  // [rad]
+  double direction = 0.0;    // [rad] 0 is +x
+  double elevation = 0.0;    // [m] at the grid's origin
 };
 struct RasterTerrain {
   RasterFile file;
-  double scale = 1.0;                        // factor on the raster's values
-  double offset = 0.0;                       // [m] added after scaling
+  double scale = 1.0;   // factor on the raster's values
+  double offset = 0.0;  // [m] added after scaling
 };
 using TerrainPart = std::variant<FlatTerrain, PlaneTerrain, RasterTerrain>;
 
@@ -63,53 +61,53 @@ using ScalarMap = std::variant<double, RasterFile>;
 /// hbar, the depth of the dilute layer (section 3.1 of the paper).
 struct Hbar {
   HbarPolicy policy = HbarPolicy::full;
-  double depth = 0.0;                        // [m] constant: hbar = min(h, depth)
-  ScalarMap scale = 1.0;                     // [-] scaled, truncated: hbar = min(scale h, cap)
-  ScalarMap cap = 0.0;                       // [m] truncated
+  double depth = 0.0;     // [m] constant: hbar = min(h, depth)
+  ScalarMap scale = 1.0;  // [-] scaled, truncated: hbar = min(scale h, cap)
+  ScalarMap cap = 0.0;    // [m] truncated
 };
 
 /// Exactly one of the two is set: a depth that is added, or a level up to which the sand is filled.
 struct Fill {
-  std::optional<double> depth;               // [m]
-  std::optional<double> surface;             // [m]
+  std::optional<double> depth;    // [m]
+  std::optional<double> surface;  // [m]
 };
 /// Cells partly inside get the covered fraction of the depth. In a 1-D scene only x counts.
 struct SandBox {
-  std::array<double, 2> from{0.0, 0.0};      // [m]
-  std::array<double, 2> to{0.0, 0.0};        // [m]
+  std::array<double, 2> from{0.0, 0.0};  // [m]
+  std::array<double, 2> to{0.0, 0.0};    // [m]
   Fill fill;
 };
 struct SandColumn {
-  std::array<double, 2> center{0.0, 0.0};    // [m]
-  double radius = 0.0;                       // [m]
+  std::array<double, 2> center{0.0, 0.0};  // [m]
+  double radius = 0.0;                     // [m]
   Fill fill;
 };
 struct SandCone {
-  std::array<double, 2> center{0.0, 0.0};    // [m]
-  double radius = 0.0;                       // [m]
-  double height = 0.0;                       // [m] of sand at the centre
+  std::array<double, 2> center{0.0, 0.0};  // [m]
+  double radius = 0.0;                     // [m]
+  double height = 0.0;                     // [m] of sand at the centre
 };
 struct SandLayer {
   Fill fill;
 };
 struct SandRaster {
-  RasterFile file;                           // depth [m]
+  RasterFile file;  // depth [m]
   double scale = 1.0;
 };
 using SandPart = std::variant<SandBox, SandColumn, SandCone, SandLayer, SandRaster>;
 
 /// Sand that rains onto a disc without momentum, evenly over the cells whose centres lie inside (at least one).
 struct SandSource {
-  std::array<double, 2> center{0.0, 0.0};    // [m]
-  double radius = 0.0;                       // [m]
-  double rate = 0.0;                         // [m^3/s]; in a 1-D scene the row is one spacing wide
-  double start = 0.0;                        // [s]
-  double end = 0.0;                          // [s]
+  std::array<double, 2> center{0.0, 0.0};  // [m]
+  double radius = 0.0;                     // [m]
+  double rate = 0.0;                       // [m^3/s]; in a 1-D scene the row is one spacing wide
+  double start = 0.0;                      // [s]
+  double end = 0.0;                        // [s]
 };
 
 struct Sand {
-  std::optional<ScalarMap> friction_angle;         // [rad]; exactly one of the two is set
-  std::optional<ScalarMap> friction_coefficient;   // [-]
+  std::optional<ScalarMap> friction_angle;        // [rad]; exactly one of the two is set
+  std::optional<ScalarMap> friction_coefficient;  // [-]
   Hbar hbar;
   std::vector<SandPart> initial;
   std::vector<SandSource> sources;
@@ -124,74 +122,74 @@ struct Boundaries {
 
 struct TimeControl {
   TimeMode mode = TimeMode::adaptive;
-  std::optional<double> courant;             // [-] absent: the scheme's own (numerics.hpp)
-  double step = 0.0;                         // [s] fixed
-  bool subcycle = false;                     // fixed: split a step that breaks the stability bound
-  double end = 0.0;                          // [s]
-  double frame_interval = 0.0;               // [s]
+  std::optional<double> courant;  // [-] absent: the scheme's own (numerics.hpp)
+  double step = 0.0;              // [s] fixed
+  bool subcycle = false;          // fixed: split a step that breaks the stability bound
+  double end = 0.0;               // [s]
+  double frame_interval = 0.0;    // [s]
   bool stop_at_rest = false;
-  std::optional<double> minimum_step;        // [s] below this the run stops; absent: 1e-9 of `end`
+  std::optional<double> minimum_step;  // [s] below this the run stops; absent: 1e-9 of `end`
 };
 
 struct Numerics {
   Scheme scheme = Scheme::balanced;
-  int order = 2;                             // balanced: 1 or 2
+  int order = 2;  // balanced: 1 or 2
   Precision precision = Precision::float32;
-  MomentumFlux momentum_flux = MomentumFlux::full;     // paper only
-  bool rest_gate = true;                               // paper only
+  MomentumFlux momentum_flux = MomentumFlux::full;       // paper only
+  bool rest_gate = true;                                 // paper only
   VelocityForm velocity = VelocityForm::desingularised;  // paper only
 };
 
 struct Probe {
   std::string name;
-  std::array<double, 2> at{0.0, 0.0};        // [m] the cell that holds the point
+  std::array<double, 2> at{0.0, 0.0};  // [m] the cell that holds the point
 };
 
 struct Output {
   std::vector<OutputField> fields{OutputField::depth, OutputField::velocity};
-  bool frames = true;                        // false: no series of fields, only the per-frame numbers and probes
-  bool maxima = false;                       // max_depth, max_speed, arrival_time
-  double arrival_depth = 0.0;                // [m] sand counts as arrived above this depth; 0: 1e-3 spacing
+  bool frames = true;          // false: no series of fields, only the per-frame numbers and probes
+  bool maxima = false;         // max_depth, max_speed, arrival_time
+  double arrival_depth = 0.0;  // [m] sand counts as arrived above this depth; 0: 1e-3 spacing
   std::vector<Probe> probes;
   Compression compression = Compression::none;
-  double checkpoint_interval = 600.0;        // [s] of wall clock between checkpoints
+  double checkpoint_interval = 600.0;  // [s] of wall clock between checkpoints
 };
 
 // ---- references: what the run's error is taken against ----------------------------------------------------------
 /// Dam break on a uniform slope with friction, hbar = alpha h (reference: Ritter; Mangeney et al. 2000). The dam is
 /// at `dam`, sand of depth `depth` at smaller x. Valid until the fan meets a wall; the tip until it stops.
 struct DamBreakReference {
-  double dam = 0.0;                          // [m]
-  double depth = 0.0;                        // [m]
+  double dam = 0.0;    // [m]
+  double depth = 0.0;  // [m]
 };
 /// Stoker's dam break onto a layer of depth `downstream_depth`, no friction, hbar = h.
 struct StokerReference {
-  double dam = 0.0;                          // [m]
-  double depth = 0.0;                        // [m]
-  double downstream_depth = 0.0;             // [m]
+  double dam = 0.0;               // [m]
+  double depth = 0.0;             // [m]
+  double downstream_depth = 0.0;  // [m]
 };
 /// Dam break of the two-layer model, hbar = min(scale h, cap); with friction the tip only.
 struct TwoLayerDamBreakReference {
-  double dam = 0.0;                          // [m]
-  double depth = 0.0;                        // [m]
+  double dam = 0.0;    // [m]
+  double depth = 0.0;  // [m]
 };
 using ExactReference = std::variant<DamBreakReference, StokerReference, TwoLayerDamBreakReference>;
 
 /// A table of (x, depth), ascending in x, piecewise linear, for the profile at the end of the run (1-D scenes).
 struct Profile {
-  std::string file;                          // as written in the scene
-  std::vector<double> x;                     // [m]
-  std::vector<double> depth;                 // [m]
+  std::string file;           // as written in the scene
+  std::vector<double> x;      // [m]
+  std::vector<double> depth;  // [m]
 };
 /// A table of (time, front position).
 struct FrontCurve {
   std::string file;
-  std::vector<double> time;                  // [s]
-  std::vector<double> front;                 // [m]
+  std::vector<double> time;   // [s]
+  std::vector<double> front;  // [m]
 };
 
 struct Reference {
-  std::vector<double> front_depths;          // [m] thresholds of depth that define the front
+  std::vector<double> front_depths;  // [m] thresholds of depth that define the front
   std::optional<ExactReference> exact;
   std::optional<Profile> profile;            // a converged or otherwise known deposit
   std::optional<Profile> measured_profile;   // measured; may be named before the file is there: then x is empty
@@ -201,7 +199,7 @@ struct Reference {
 struct Scene {
   std::string title;
   Grid grid;
-  double gravity = 9.8;                      // [m/s^2]
+  double gravity = 9.8;  // [m/s^2]
   std::vector<TerrainPart> terrain{FlatTerrain{}};
   Sand sand;
   Boundaries boundaries;

@@ -17,35 +17,35 @@ namespace sandsim {
 /// All that is needed to go on with a run bit for bit. The arrays are ny * nx, x fastest, in the run's precision.
 struct Checkpoint {
   std::int64_t steps = 0;
-  std::int64_t frames = 0;                   // frames already handed to the sink
-  double time = 0.0;                         // [s]
-  double frame_step_min = 0.0;               // [s] since the last frame
-  double frame_step_max = 0.0;               // [s]
-  double wall_time = 0.0;                    // [s] spent before
+  std::int64_t frames = 0;      // frames already handed to the sink
+  double time = 0.0;            // [s]
+  double frame_step_min = 0.0;  // [s] since the last frame
+  double frame_step_max = 0.0;  // [s]
+  double wall_time = 0.0;       // [s] spent before
   Ledger ledger;
-  double dt_min = 0.0, dt_max = 0.0;         // [s] over the run
+  double dt_min = 0.0, dt_max = 0.0;  // [s] over the run
   Incident smallest_step;
-  double stop_time = 0.0;                    // [s]
+  double stop_time = 0.0;  // [s]
   FieldValues depth, momentum_x, momentum_y;
   FieldValues max_depth, max_speed, arrival_time;  // empty unless output.maxima
 };
 
 /// What a progress display may want to know; called from the solver's thread between steps.
 struct Progress {
-  double time = 0.0;                         // [s] simulated
-  double end = 0.0;                          // [s]
-  double step = 0.0;                         // [s]
+  double time = 0.0;  // [s] simulated
+  double end = 0.0;   // [s]
+  double step = 0.0;  // [s]
   std::int64_t steps = 0;
   double cell_steps_per_second = 0.0;
 };
 
 struct RunOptions {
-  int threads = 0;                           // 0: all
-  const std::atomic<bool>* interrupt = nullptr;     // set by a signal handler: end after the current step
-  double max_wall = 0.0;                     // [s] 0: no limit
-  std::function<void(const Progress&)> progress;    // may be empty
+  int threads = 0;                                    // 0: all
+  const std::atomic<bool>* interrupt = nullptr;       // set by a signal handler: end after the current step
+  double max_wall = 0.0;                              // [s] 0: no limit
+  std::function<void(const Progress&)> progress;      // may be empty
   std::function<void(const Checkpoint&)> checkpoint;  // called on interrupt, limit and at checkpoint_interval
-  const Checkpoint* resume = nullptr;        // go on from here
+  const Checkpoint* resume = nullptr;                 // go on from here
 };
 
 /// Runs a checked scene to its end. Numerical failures, interrupts and limits do not throw: they are in the report
@@ -57,10 +57,10 @@ RunReport run(const Scene& scene, const RunOptions& options, Sink& sink);
 struct Plan {
   std::vector<std::string> stages;
   std::int64_t memory_bytes = 0;
-  double first_step = 0.0;                   // [s] stable step of the initial state; infinite if nothing moves
-  std::int64_t predicted_steps = 0;          // end / first_step (or the fixed step): an estimate
+  double first_step = 0.0;           // [s] stable step of the initial state; infinite if nothing moves
+  std::int64_t predicted_steps = 0;  // end / first_step (or the fixed step): an estimate
   std::int64_t frames = 0;
-  std::int64_t output_bytes = 0;             // uncompressed
+  std::int64_t output_bytes = 0;  // uncompressed
 };
 Plan plan(const Scene& scene);
 

@@ -16,15 +16,15 @@ using FieldValues = std::variant<std::vector<float>, std::vector<double>>;
 
 /// The numbers of one frame (names as in series.h5).
 struct FrameStatistics {
-  double time = 0.0;                         // [s]
-  double volume = 0.0;                       // [m^3]
-  double kinetic_energy = 0.0;               // [m^5/s^2] sum of (hu^2 + hv^2)/(2 h) dx^2: per density
-  double max_speed = 0.0;                    // [m/s]
-  double time_step_min = 0.0;                // [s] over the steps since the last frame
-  double time_step_max = 0.0;                // [s]
-  std::int64_t steps = 0;                    // since the start of the run
-  double wall_time = 0.0;                    // [s] since the start of the run
-  std::int64_t moving_cells = 0;             // cells with momentum
+  double time = 0.0;              // [s]
+  double volume = 0.0;            // [m^3]
+  double kinetic_energy = 0.0;    // [m^5/s^2] sum of (hu^2 + hv^2)/(2 h) dx^2: per density
+  double max_speed = 0.0;         // [m/s]
+  double time_step_min = 0.0;     // [s] over the steps since the last frame
+  double time_step_max = 0.0;     // [s]
+  std::int64_t steps = 0;         // since the start of the run
+  double wall_time = 0.0;         // [s] since the start of the run
+  std::int64_t moving_cells = 0;  // cells with momentum
 };
 
 /// One named field of a frame: "depth", "velocity_x", "velocity_y", "surface", "momentum_x", "momentum_y".
@@ -34,25 +34,25 @@ struct NamedField {
 };
 
 struct ProbeSample {
-  double depth = 0.0;                        // [m]
-  double velocity_x = 0.0;                   // [m/s]
-  double velocity_y = 0.0;                   // [m/s]
+  double depth = 0.0;       // [m]
+  double velocity_x = 0.0;  // [m/s]
+  double velocity_y = 0.0;  // [m/s]
 };
 
 /// A snapshot: owns its data, so that a sink may keep it while the solver goes on.
 struct Frame {
   std::int64_t index = 0;
   FrameStatistics statistics;
-  std::vector<NamedField> fields;            // the requested ones only; empty if output.frames is false
-  std::vector<ProbeSample> probes;           // in the order of scene.output.probes
-  std::vector<double> fronts;                // [m] largest x with depth > reference.front_depths[k]; NaN: none
-  std::vector<double> reference_depth;       // nx values if an exact solution is valid now (1-D), else empty
-  double reference_tip = 0.0;                // [m] exact position of the tip now; NaN if unknown
+  std::vector<NamedField> fields;       // the requested ones only; empty if output.frames is false
+  std::vector<ProbeSample> probes;      // in the order of scene.output.probes
+  std::vector<double> fronts;           // [m] largest x with depth > reference.front_depths[k]; NaN: none
+  std::vector<double> reference_depth;  // nx values if an exact solution is valid now (1-D), else empty
+  double reference_tip = 0.0;           // [m] exact position of the tip now; NaN if unknown
 };
 
 /// Fields known once, at the start.
 struct StaticFields {
-  FieldValues bed;                           // [m] ny * nx; empty where the terrain is flat
+  FieldValues bed;  // [m] ny * nx; empty where the terrain is flat
 };
 
 /// Fields known once, at the end.

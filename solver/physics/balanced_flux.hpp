@@ -36,11 +36,11 @@ SANDSIM_HD R friction_switch(const FaceSide<R>& L, const FaceSide<R>& Q, R surfa
     // At the edge of a drop only the upper cell's own depth can push.
     const R bed_jump = Q.b - L.b;
     const R from_right = minimum(drop, 2 * Q.h), from_left = minimum(drop, 2 * L.h);
-    drop = bed_jump >= L.h ? from_right : (-bed_jump >= Q.h ? from_left : drop);
+    drop = select(bed_jump >= L.h, from_right, select(-bed_jump >= Q.h, from_left, drop));
   }
-  const R share = drop <= held ? R(1) : held / drop;
+  const R share = select(drop <= held, R(1), held / drop);
   const R stillness = maximum(R(0), 1 - maximum(L.demand, Q.demand) / (p.g * p.dt));
-  return mu > R(0) ? 1 - share * stillness : R(1);
+  return select(mu > R(0), 1 - share * stillness, R(1));
 }
 
 /// Outflow speeds of both sides from the one-sided wave speeds (HLL as two upwind transports), under the caps.
@@ -53,24 +53,24 @@ SANDSIM_HD OutflowSpeeds<R> outflow_speeds(R u_left, R u_right, R b_plus, R b_mi
   const R width = b_plus - b_minus;
   const R left = b_plus * (u_left - b_minus) / width;
   const R right = -b_minus * (b_plus - u_right) / width;
-  return {width > R(0) ? left : R(0), width > R(0) ? right : R(0)};
+  return {select(width > R(0), left, R(0)), select(width > R(0), right, R(0))};
 }
 
 template <bool Flat, class R>
 SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q, const StepParameters<R>& p) {
-  const R half = R(0.5), zero = R(0);
+  const R half = R(0.5f), zero = R(0);
   // Depths at the face, and above the higher of the two beds there.
   const R surface_jump = surface_difference(L.h, Q.h, L.b, Q.b);
   const R h_left0 = L.h + half * L.sh, h_right0 = Q.h - half * Q.sh;
   const R h_left = h_left0 + L.dh, h_right = h_right0 + Q.dh;
   const R ds = surface_jump - half * (L.ss + Q.ss) + (Q.dh - L.dh);
   const R beta = ds - (h_right - h_left);  // jump of the bed at the face
-  const R x_left = minimum(beta > zero ? maximum(zero, h_right - ds) : h_left, h_left);
-  const R x_right = minimum(beta < zero ? maximum(zero, h_left + ds) : h_right, h_right);
+  const R x_left = minimum(select(beta > zero, maximum(zero, h_right - ds), h_left), h_left);
+  const R x_right = minimum(select(beta < zero, maximum(zero, h_left + ds), h_right), h_right);
 
   // A side without sand takes the other's velocity.
-  const R u_left = x_left <= zero ? Q.normal : L.normal;
-  const R u_right = x_right <= zero ? u_left : Q.normal;
+  const R u_left = select(x_left <= zero, Q.normal, L.normal);
+  const R u_right = select(x_right <= zero, u_left, Q.normal);
   const R c_left = square_root(p.g * hbar(x_left, L.material));
   const R c_right = square_root(p.g * hbar(x_right, Q.material));
   const R a_plus = maximum(maximum(u_left + c_left, u_right + c_right), zero);
@@ -82,32 +82,32 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   OutflowSpeeds<R> al = outflow_speeds(u_left, u_right, b_plus, b_minus);
   const R cap_left = L.K * minimum(h_left0 / x_left, R(1));
   const R cap_right = Q.K * minimum(h_right0 / x_right, R(1));
-  al.left = minimum(al.left, x_left > zero ? cap_left : zero);
-  al.right = minimum(al.right, x_right > zero ? cap_right : zero);
+  al.left = minimum(al.left, select(x_left > zero, cap_left, zero));
+  al.right = minimum(al.right, select(x_right > zero, cap_right, zero));
 
   FaceFlux<R> F;
   F.mass = al.left * x_left - al.right * x_right;
   F.normal = al.left * (x_left * u_left) - al.right * (x_right * u_right);
-  F.transverse = F.mass > zero ? F.mass * L.transverse : F.mass * Q.transverse;
+  F.transverse = F.mass * select(F.mass > zero, L.transverse, Q.transverse);
 
   // Pressure: g hbar times the jump, shared between the sides by the wave speeds.
   const R width = a_plus - a_minus;
-  const bool connected = ((beta >= zero) & (x_left < h_left) & (x_left > zero)) |
-                         ((beta < zero) & (x_right < h_right) & (x_right > zero));
-  const R jump = connected ? ds : x_right - x_left;
+  const auto connected =
+      ((beta >= zero) & (x_left < h_left) & (x_left > zero)) | ((beta < zero) & (x_right < h_right) & (x_right > zero));
+  const R jump = select(connected, ds, x_right - x_left);
   const R H_left = mean_hbar(x_left, x_right, L.material);
   const R H_right = mean_hbar(x_left, x_right, Q.material);
   const R held_left = phi * H_left + (1 - phi) * minimum(H_left, 2 * hbar(L.h, L.material));
   const R held_right = phi * H_right + (1 - phi) * minimum(H_right, 2 * hbar(Q.h, Q.material));
-  const R jump_left = p.g * (-a_minus / width * (phi != R(1) ? held_left : H_left)) * jump;
-  const R jump_right = p.g * (a_plus / width * (phi != R(1) ? held_right : H_right)) * jump;
+  const R jump_left = p.g * (-a_minus / width * select(phi != R(1), held_left, H_left)) * jump;
+  const R jump_right = p.g * (a_plus / width * select(phi != R(1), held_right, H_right)) * jump;
 
-  const bool empty = (x_left <= zero) & (x_right <= zero);
-  F.mass = empty ? zero : F.mass;
-  F.normal = empty ? zero : F.normal;
-  F.transverse = empty ? zero : F.transverse;
-  F.jump_left = empty | !(width > zero) ? zero : jump_left;
-  F.jump_right = empty | !(width > zero) ? zero : jump_right;
+  const auto empty = (x_left <= zero) & (x_right <= zero);
+  F.mass = select(empty, zero, F.mass);
+  F.normal = select(empty, zero, F.normal);
+  F.transverse = select(empty, zero, F.transverse);
+  F.jump_left = select(empty | (width <= zero), zero, jump_left);
+  F.jump_right = select(empty | (width <= zero), zero, jump_right);
   return F;
 }
 

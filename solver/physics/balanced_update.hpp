@@ -22,7 +22,7 @@ template <bool OneD, class R>
 SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, const FaceFlux<R>& west,
                                     const FaceFlux<R>& east, const FaceFlux<R>& south, const FaceFlux<R>& north,
                                     const Material<R>& m, const StepParameters<R>& p) {
-  const R half = R(0.5), zero = R(0), k = p.dt / p.dx;
+  const R half = R(0.5f), zero = R(0), k = p.dt / p.dx;
   const R h = old.h;
   // The pairs are summed first, then the axes: mirrored and turned states give mirrored and turned results.
   R mass = east.mass - west.mass;
@@ -34,8 +34,8 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
   }
   const R h_new = h - k * mass;
 
-  const bool wet = h > p.dry_depth;
-  const bool held = wet & (old.hu == zero) & (old.hv == zero) & (c.G <= m.mu);
+  const auto wet = h > p.dry_depth;
+  const auto held = wet & (old.hu == zero) & (old.hv == zero) & (c.G <= m.mu);
   const R h_east = h + half * c.sh_x + c.dh, h_west = h - half * c.sh_x + c.dh;
   R push_x = p.g * mean_hbar(h_east, h_west, m) * c.ss_x + (east.jump_left + west.jump_right);
   R push_y = zero;
@@ -43,30 +43,30 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
     const R h_north = h + half * c.sh_y + c.dh, h_south = h - half * c.sh_y + c.dh;
     push_y = p.g * mean_hbar(h_north, h_south, m) * c.ss_y + (north.jump_left + south.jump_right);
   }
-  push_x = held ? zero : push_x;
-  push_y = held ? zero : push_y;
+  push_x = select(held, zero, push_x);
+  push_y = select(held, zero, push_y);
 
   // The push may not do more work than lifting over one cell.
   const R push = (OneD ? absolute(push_x) : length(push_x, push_y)) / p.dx / maximum(h, h_new);
   const R tamed = square_root(2 * p.dx / push) / p.dt;
-  const R tame = wet & (push * p.dt * p.dt > 2 * p.dx) ? tamed : R(1);
+  const R tame = select(wet & (push * p.dt * p.dt > 2 * p.dx), tamed, R(1));
   push_x = push_x * tame;
   push_y = push_y * tame;
 
   R hu = old.hu - k * (flow_x + push_x), hv = old.hv - k * (flow_y + push_y);
   const R grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
   const R size = OneD ? absolute(hu) : length(hu, hv);
-  const R factor = size <= grip ? zero : (grip > zero ? 1 - grip / size : R(1));
+  const R factor = select(size <= grip, zero, select(grip > zero, 1 - grip / size, R(1)));
   hu = hu * factor;
   hv = hv * factor;
 
   // No more than one cell a step; acts only when a fixed step breaks the bound.
   const R fastest = h_new * p.dx / p.dt, size_new = OneD ? absolute(hu) : length(hu, hv);
-  const R slow = size_new > fastest ? fastest / size_new : R(1);
+  const R slow = select(size_new > fastest, fastest / size_new, R(1));
   hu = hu * slow;
   hv = hv * slow;
-  const bool dries = h_new <= p.dry_depth;
-  return {h_new, dries ? zero : hu, dries ? zero : hv};
+  const auto dries = h_new <= p.dry_depth;
+  return {h_new, select(dries, zero, hu), select(dries, zero, hv)};
 }
 
 }  // namespace sandsim::physics

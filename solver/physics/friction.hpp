@@ -8,8 +8,7 @@ namespace sandsim::physics {
 /// Factor by which friction shortens a vector of length `size` when it can take away `grip`: exactly 0 if it holds.
 template <class R>
 SANDSIM_HD R friction_factor(R size, R grip) {
-  const R kept = 1 - grip / size;
-  return size <= grip ? R(0) : kept;
+  return select(size <= grip, R(0), 1 - grip / size);
 }
 
 }  // namespace sandsim::physics

@@ -18,9 +18,8 @@ SANDSIM_HD R mean_hbar(R p, R q, const Material<R>& material) {
   const R kink = material.cap / material.alpha;  // depth at which the cap sets in
   const R below = kink - low;
   const R across = material.cap - material.alpha * below * below / (2 * (high - low));
-  const R under = material.alpha * (low + high) * R(0.5);
-  const R over = low >= kink ? material.cap : across;
-  return high <= kink ? under : over;
+  const R under = material.alpha * (low + high) * R(0.5f);
+  return select(high <= kink, under, select(low >= kink, material.cap, across));
 }
 
 }  // namespace sandsim::physics

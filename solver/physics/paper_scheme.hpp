@@ -12,9 +12,8 @@ namespace sandsim::physics {
 /// Chosen once a run.
 template <class R>
 struct PaperSwitches {
-  R flux_factor;         // 1: hu^2; 1/2: as eq. 7 prints it
-  bool rest_gate;        // no flux through a face whose two normal velocities are exactly 0
-  bool desingularised;   // eq. 13, else hu/h
+  R flux_factor;      // 1: hu^2; 1/2: as eq. 7 prints it
+  Mask<R> rest_gate;  // no flux through a face whose two normal velocities are exactly 0
 };
 
 /// Depth and velocities of one side of a face, n across and t along it.
@@ -31,13 +30,14 @@ SANDSIM_HD FaceFlux<R> paper_flux(const PaperSide<R>& L, const PaperSide<R>& Q, 
   const R a_minus = minimum(minimum(L.n - c_left, Q.n - c_right), R(0));
   const R width = a_plus - a_minus, product = a_plus * a_minus;
   const R q_left = L.h * L.n, q_right = Q.h * Q.n, r_left = L.h * L.t, r_right = Q.h * Q.t;
-  const bool closed = !(width > R(0)) | (switches.rest_gate & (L.n == R(0)) & (Q.n == R(0)));
+  const auto closed = (width <= R(0)) | (switches.rest_gate & (L.n == R(0)) & (Q.n == R(0)));
   // One reciprocal serves the three components.
-  const R weight = closed ? R(0) : 1 / width;
+  const R weight = select(closed, R(0), 1 / width);
   FaceFlux<R> F;
   F.mass = (a_plus * q_left - a_minus * q_right + product * (Q.h - L.h)) * weight;
-  F.normal = (switches.flux_factor * (a_plus * (q_left * L.n) - a_minus * (q_right * Q.n)) +
-              product * (q_right - q_left)) * weight;
+  F.normal =
+      (switches.flux_factor * (a_plus * (q_left * L.n) - a_minus * (q_right * Q.n)) + product * (q_right - q_left)) *
+      weight;
   F.transverse = (a_plus * (q_left * L.t) - a_minus * (q_right * Q.t) + product * (r_right - r_left)) * weight;
   F.jump_left = F.jump_right = R(0);
   return F;
@@ -58,7 +58,7 @@ SANDSIM_HD State<R> paper_update(R h, R u, R v, R surface_west_east, R surface_s
     flow_y = flow_y + (north.normal - south.normal);
   }
   const R thickness = hbar(h, m);
-  const R push = R(0.5) * p.g * thickness;
+  const R push = R(0.5f) * p.g * thickness;
   R hu = h * u - k * (flow_x + push * surface_west_east);
   R hv = h * v - k * (flow_y + push * surface_south_north);
   const R grip = p.dt * m.mu * p.g * thickness;
@@ -67,8 +67,8 @@ SANDSIM_HD State<R> paper_update(R h, R u, R v, R surface_west_east, R surface_s
   hu = hu * factor;
   hv = hv * factor;
   const R h_new = h - k * mass;
-  const bool dries = h_new <= p.dry_depth;
-  return {h_new, dries ? R(0) : hu, dries ? R(0) : hv};
+  const auto dries = h_new <= p.dry_depth;
+  return {h_new, select(dries, R(0), hu), select(dries, R(0), hv)};
 }
 
 }  // namespace sandsim::physics

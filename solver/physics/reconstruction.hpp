@@ -35,7 +35,7 @@ struct CellReconstruction {
 
 /// The bed slope ss - sh stays within the admissible bed differences, face depths within [h/2, 3h/2].
 template <int Order, bool Flat, class R>
-SANDSIM_HD AxisSlopes<R> axis_slopes(const Profile3<R>& p, R u, R v, bool dry, R dx) {
+SANDSIM_HD AxisSlopes<R> axis_slopes(const Profile3<R>& p, R u, R v, Mask<R> dry, R dx) {
   const Differences<R> d = differences<Flat>(p.line);
   AxisSlopes<R> out{R(0), R(0), R(0), R(0), compact_slope(d, dx)};
   R low = R(0), high = R(0);
@@ -54,34 +54,35 @@ SANDSIM_HD AxisSlopes<R> axis_slopes(const Profile3<R>& p, R u, R v, bool dry, R
     }
     sh = clamp(sh, -h, h);
     ss = Flat ? sh : sh + clamp(ss - sh, low, high);
-    out.ss = dry ? out.ss : ss;
-    out.sh = dry ? R(0) : sh;
+    out.ss = select(dry, out.ss, ss);
+    out.sh = select(dry, R(0), sh);
     const R su = monotonised_central(u - p.u_minus, p.u_plus - u);
     const R sv = monotonised_central(v - p.v_minus, p.v_plus - v);
-    out.su = dry ? R(0) : su;
-    out.sv = dry ? R(0) : sv;
+    out.su = select(dry, R(0), su);
+    out.sv = select(dry, R(0), sv);
   }
   return out;
 }
 
 /// Hancock's half step in primitive variables with implicit friction.
 template <class R>
-SANDSIM_HD void predict(CellReconstruction<R>& c, R h, R u, R v, bool dry, const Material<R>& m,
+SANDSIM_HD void predict(CellReconstruction<R>& c, R h, R u, R v, Mask<R> dry, const Material<R>& m,
                         const StepParameters<R>& p) {
-  const R half = R(0.5);
-  const R lowest = minimum(minimum(h + half * c.x.sh, h - half * c.x.sh), minimum(h + half * c.y.sh, h - half * c.y.sh));
+  const R half = R(0.5f);
+  const R lowest =
+      minimum(minimum(h + half * c.x.sh, h - half * c.x.sh), minimum(h + half * c.y.sh, h - half * c.y.sh));
   const R growth = -half * p.dt * ((u * c.x.sh + h * c.x.su) / p.dx + (v * c.y.sh + h * c.y.sv) / p.dx);
   const R dh = maximum(growth, -half * lowest);
   const R ratio = hbar(h, m) / h;
-  const bool held = (u == R(0)) & (v == R(0)) & (c.G <= m.mu);
-  const R force_x = held ? R(0) : p.g * ratio * c.x.ss;
-  const R force_y = held ? R(0) : p.g * ratio * c.y.ss;
+  const auto held = (u == R(0)) & (v == R(0)) & (c.G <= m.mu);
+  const R force_x = select(held, R(0), p.g * ratio * c.x.ss);
+  const R force_y = select(held, R(0), p.g * ratio * c.y.ss);
   const R w = u - half * p.dt * (u * c.x.su + v * c.y.su + force_x) / p.dx;
   const R z = v - half * p.dt * (u * c.x.sv + v * c.y.sv + force_y) / p.dx;
   const R factor = friction_factor(length(w, z), half * p.dt * m.mu * p.g * ratio);
-  c.dh = dry ? R(0) : dh;
-  c.du = dry ? R(0) : w * factor - u;
-  c.dv = dry ? R(0) : z * factor - v;
+  c.dh = select(dry, R(0), dh);
+  c.du = select(dry, R(0), w * factor - u);
+  c.dv = select(dry, R(0), z * factor - v);
 }
 
 /// OneD: the y axis has no neighbours and no faces.
@@ -89,7 +90,7 @@ template <int Order, bool Flat, bool OneD, class R>
 SANDSIM_HD CellReconstruction<R> reconstruct(const Profile3<R>& along_x, const Profile3<R>& along_y, R u, R v,
                                              const Material<R>& m, const StepParameters<R>& p) {
   const R h = along_x.line.h;
-  const bool dry = h <= p.dry_depth;
+  const Mask<R> dry = h <= p.dry_depth;
   CellReconstruction<R> c;
   c.x = axis_slopes<Order, Flat>(along_x, u, v, dry, p.dx);
   if constexpr (OneD) {
@@ -102,18 +103,18 @@ SANDSIM_HD CellReconstruction<R> reconstruct(const Profile3<R>& along_x, const P
   const R thickness = hbar(h, m);
   const R speed = OneD ? absolute(u) : length(u, v);
   const R demand = speed * h / (m.mu * thickness);
-  c.demand = h > p.dry_depth ? demand : R(0);
+  c.demand = select(h > p.dry_depth, demand, R(0));
 
   // Outflow over all faces stays under 0.9998 h for any step, so that no depth becomes negative.
   const R wave = square_root(p.g * thickness);
-  const R K = R(0.4999) * p.dx / p.dt;
+  const R K = constant<R>(0.4999) * p.dx / p.dt;
   if constexpr (OneD) {
     c.Kx = K;
     c.Ky = R(0);
   } else {
     const R a_x = absolute(u) + wave, a_y = absolute(v) + wave, sum = a_x + a_y;
-    c.Kx = K * (sum > R(0) ? a_x / sum : R(0.5));
-    c.Ky = K * (sum > R(0) ? a_y / sum : R(0.5));
+    c.Kx = K * select(sum > R(0), a_x / sum, R(0.5f));
+    c.Ky = K * select(sum > R(0), a_y / sum, R(0.5f));
   }
   c.dh = c.du = c.dv = R(0);
   if constexpr (Order == 2) {

@@ -11,8 +11,8 @@ namespace sandsim::physics {
 template <class R>
 SANDSIM_HD R surface_difference(R h_left, R h_right, R b_left, R b_right) {
   const R difference = (h_right - h_left) + (b_right - b_left);
-  const R noise = 2 * std::numeric_limits<R>::epsilon() * (h_left + h_right);
-  return absolute(difference) <= noise ? R(0) : difference;
+  const R noise = R(2 * std::numeric_limits<Scalar<R>>::epsilon()) * (h_left + h_right);
+  return select(absolute(difference) <= noise, R(0), difference);
 }
 
 /// Depth and bed of a cell and its two neighbours along one axis.
@@ -38,18 +38,18 @@ SANDSIM_HD Differences<R> differences(const Line<R>& line) {
   if constexpr (Flat) {
     return {s_minus, s_plus, h_minus, h_plus};
   } else {
-    const bool blocked_minus = (line.b_minus - line.b >= line.h) & (s_minus < R(0));
-    const bool blocked_plus = (line.b_plus - line.b >= line.h) & (s_plus > R(0));
+    const auto blocked_minus = (line.b_minus - line.b >= line.h) & (s_minus < R(0));
+    const auto blocked_plus = (line.b_plus - line.b >= line.h) & (s_plus > R(0));
     const R s_limited = minmod(s_minus, s_plus), h_limited = minmod(h_minus, h_plus);
-    return {blocked_minus ? s_limited : s_minus, blocked_plus ? s_limited : s_plus,
-            blocked_minus ? h_limited : h_minus, blocked_plus ? h_limited : h_plus};
+    return {select(blocked_minus, s_limited, s_minus), select(blocked_plus, s_limited, s_plus),
+            select(blocked_minus, h_limited, h_minus), select(blocked_plus, h_limited, h_plus)};
   }
 }
 
 /// Compact slope of the surface along one axis. [-]
 template <class R>
 SANDSIM_HD R compact_slope(const Differences<R>& d, R dx) {
-  return R(0.5) * (d.s_minus + d.s_plus) / dx;
+  return R(0.5f) * (d.s_minus + d.s_plus) / dx;
 }
 
 }  // namespace sandsim::physics

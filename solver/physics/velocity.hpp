@@ -9,7 +9,7 @@ namespace sandsim::physics {
 template <class R>
 SANDSIM_HD R quotient_velocity(R momentum, R h, R dry_depth) {
   const R u = momentum / h;
-  return h <= dry_depth ? R(0) : u;
+  return select(h <= dry_depth, R(0), u);
 }
 
 /// Eq. 13: u = sqrt(2) h (hu) / sqrt(h^4 + max(h^4, dx^4)). [m/s]
@@ -17,7 +17,7 @@ template <class R>
 SANDSIM_HD R desingularised_velocity(R momentum, R h, R dx) {
   // Divided through by dx^4: h^4 alone leaves the range of float32 for layers that are thin or deep.
   const R ratio = h / dx, ratio2 = ratio * ratio, ratio4 = ratio2 * ratio2;
-  return R(1.4142135623730951) * ratio * (momentum / dx) / square_root(ratio4 + maximum(ratio4, R(1)));
+  return constant<R>(1.4142135623730951) * ratio * (momentum / dx) / square_root(ratio4 + maximum(ratio4, R(1)));
 }
 
 }  // namespace sandsim::physics

@@ -1,3 +1,4 @@
 #include "solver/backends/cpu/instances.hpp"
 
-template std::unique_ptr<sandsim::Backend> sandsim::cpu::make_balanced<double, 1>(const BackendConfig&, const InitialState&);
+template std::unique_ptr<sandsim::Backend> sandsim::cpu::make_balanced<double, 1>(const BackendConfig&,
+                                                                                  const InitialState&);

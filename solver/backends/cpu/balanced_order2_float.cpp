@@ -1,3 +1,4 @@
 #include "solver/backends/cpu/instances.hpp"
 
-template std::unique_ptr<sandsim::Backend> sandsim::cpu::make_balanced<float, 2>(const BackendConfig&, const InitialState&);
+template std::unique_ptr<sandsim::Backend> sandsim::cpu::make_balanced<float, 2>(const BackendConfig&,
+                                                                                 const InitialState&);

@@ -1,6 +1,7 @@
 // Loops of the balanced scheme over the rows of a tile. A tile is swept from its first row to its last: reconstruct the
 // row ahead, the faces between it and the present row, the faces along the present row, then update the present row.
-// All temporaries are scratch rows that stay in cache; memory is read and written once.
+// All temporaries are scratch rows that stay in cache; memory is read and written once. Loops go over packs of cells;
+// the last pack of a row may reach past its end, into padding or into columns that the next tile writes after.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +20,8 @@ template <class R, int Order, bool Flat, bool Uniform, bool OneD>
 class BalancedRows {
  public:
   using Real = R;
+  using V = Pack<R>;
+  static constexpr int lanes = static_cast<int>(V::size());
   static constexpr bool flat = Flat;
   static constexpr bool uniform = Uniform;
   static constexpr bool one_d = OneD;
@@ -46,23 +49,26 @@ class BalancedRows {
   /// A row of cells as faces of one axis see them: n is normal to the face, t along it.
   struct Side {
     const R *h, *b, *mu, *alpha, *cap, *n, *t, *sh, *ss, *sn, *st, *dh, *dn, *dt, *demand, *K;
-    physics::Material<R> material;
+    physics::Material<V> material;
 
-    SANDSIM_HD physics::FaceSide<R> at(std::ptrdiff_t i, R half) const {
-      physics::FaceSide<R> s{h[i],  Flat ? R(0) : b[i], n[i], t[i], R(0), ss[i], R(0), demand[i], K[i],
-                             material_at<Uniform>(material, mu, alpha, cap, i)};
+    SANDSIM_HD physics::FaceSide<V> at(std::ptrdiff_t i, const V& half) const {
+      physics::FaceSide<V> s{load(h, i), Flat ? V(0) : load(b, i),
+                             load(n, i), load(t, i),
+                             V(0),       load(ss, i),
+                             V(0),       load(demand, i),
+                             load(K, i), material_at<Uniform>(material, mu, alpha, cap, i)};
       if constexpr (Order == 2) {
-        s.normal = n[i] + half * sn[i] + dn[i];
-        s.transverse = t[i] + half * st[i] + dt[i];
-        s.sh = sh[i];
-        s.dh = dh[i];
+        s.normal = s.normal + half * load(sn, i) + load(dn, i);
+        s.transverse = s.transverse + half * load(st, i) + load(dt, i);
+        s.sh = load(sh, i);
+        s.dh = load(dh, i);
       }
       return s;
     }
   };
   struct FluxRow {
-    SANDSIM_HD physics::FaceFlux<R> at(std::ptrdiff_t i) const {
-      return {mass[i], normal[i], transverse[i], jump_left[i], jump_right[i]};
+    SANDSIM_HD physics::FaceFlux<V> at(std::ptrdiff_t i) const {
+      return {load(mass, i), load(normal, i), load(transverse, i), load(jump_left, i), load(jump_right, i)};
     }
     R *mass, *normal, *transverse, *jump_left, *jump_right;
   };
@@ -115,11 +121,11 @@ void BalancedRows<R, Order, Flat, Uniform, OneD>::velocity_row(int j, int first,
                                                                const VelocityRow& out) const {
   const R *h = f_.h.row(j), *hu = f_.hu.row(j), *hv = f_.hv.row(j);
   const VelocityRow w = out;
-  const R dry = p_.dry_depth;
-#pragma omp simd
-  for (int i = first; i < last; ++i) {
-    w.u[i] = physics::quotient_velocity(hu[i], h[i], dry);
-    w.v[i] = physics::quotient_velocity(hv[i], h[i], dry);
+  const V dry = p_.dry_depth;
+  for (int i = first; i < last; i += lanes) {
+    const V depth = load(h, i);
+    store(w.u, i, physics::quotient_velocity(load(hu, i), depth, dry));
+    store(w.v, i, physics::quotient_velocity(load(hv, i), depth, dry));
   }
 }
 
@@ -133,31 +139,36 @@ void BalancedRows<R, Order, Flat, Uniform, OneD>::reconstruct_row(int j, int fir
   const R *mu = f_.mu.row(j), *alpha = f_.alpha.row(j), *cap = f_.cap.row(j);
   const R *u = w[1].u, *v = w[1].v, *u_s = w[0].u, *v_s = w[0].v, *u_n = w[2].u, *v_n = w[2].v;
   const CellRow c = out;
-  const physics::StepParameters<R> p = p_;
-  const physics::Material<R> material = f_.material;
-#pragma omp simd
-  for (int i = first; i < last; ++i) {
-    physics::Profile3<R> x{{h[i - 1], h[i], h[i + 1], R(0), R(0), R(0)}, u[i - 1], u[i + 1], v[i - 1], v[i + 1]};
-    physics::Profile3<R> y{{h_s[i], h[i], h_n[i], R(0), R(0), R(0)}, u_s[i], u_n[i], v_s[i], v_n[i]};
+  const physics::StepParameters<V> p = broadcast(p_);
+  const physics::Material<V> material = broadcast(f_.material);
+  for (int i = first; i < last; i += lanes) {
+    const V depth = load(h, i), zero = 0;
+    physics::Profile3<V> x{{load(h, i - 1), depth, load(h, i + 1), zero, zero, zero},
+                           load(u, i - 1),
+                           load(u, i + 1),
+                           load(v, i - 1),
+                           load(v, i + 1)};
+    physics::Profile3<V> y{
+        {load(h_s, i), depth, load(h_n, i), zero, zero, zero}, load(u_s, i), load(u_n, i), load(v_s, i), load(v_n, i)};
     if constexpr (!Flat) {
-      x.line.b_minus = b[i - 1], x.line.b = b[i], x.line.b_plus = b[i + 1];
-      y.line.b_minus = b_s[i], y.line.b = b[i], y.line.b_plus = b_n[i];
+      x.line.b_minus = load(b, i - 1), x.line.b = load(b, i), x.line.b_plus = load(b, i + 1);
+      y.line.b_minus = load(b_s, i), y.line.b = x.line.b, y.line.b_plus = load(b_n, i);
     }
-    const auto r = physics::reconstruct<Order, Flat, OneD>(x, y, u[i], v[i],
+    const auto r = physics::reconstruct<Order, Flat, OneD>(x, y, load(u, i), load(v, i),
                                                            material_at<Uniform>(material, mu, alpha, cap, i), p);
-    c.G[i] = r.G;
-    c.demand[i] = r.demand;
-    c.Kx[i] = r.Kx;
-    c.ss_x[i] = r.x.ss;
+    store(c.G, i, r.G);
+    store(c.demand, i, r.demand);
+    store(c.Kx, i, r.Kx);
+    store(c.ss_x, i, r.x.ss);
     if constexpr (Order == 2) {
-      c.sh_x[i] = r.x.sh, c.su_x[i] = r.x.su, c.sv_x[i] = r.x.sv;
-      c.dh[i] = r.dh, c.du[i] = r.du, c.dv[i] = r.dv;
+      store(c.sh_x, i, r.x.sh), store(c.su_x, i, r.x.su), store(c.sv_x, i, r.x.sv);
+      store(c.dh, i, r.dh), store(c.du, i, r.du), store(c.dv, i, r.dv);
     }
     if constexpr (!OneD) {
-      c.Ky[i] = r.Ky;
-      c.ss_y[i] = r.y.ss;
+      store(c.Ky, i, r.Ky);
+      store(c.ss_y, i, r.y.ss);
       if constexpr (Order == 2) {
-        c.sh_y[i] = r.y.sh, c.su_y[i] = r.y.su, c.sv_y[i] = r.y.sv;
+        store(c.sh_y, i, r.y.sh), store(c.su_y, i, r.y.su), store(c.sv_y, i, r.y.sv);
       }
     }
   }
@@ -166,17 +177,45 @@ void BalancedRows<R, Order, Flat, Uniform, OneD>::reconstruct_row(int j, int fir
 template <class R, int Order, bool Flat, bool Uniform, bool OneD>
 auto BalancedRows<R, Order, Flat, Uniform, OneD>::side_along(int j, const VelocityRow& w, const CellRow& c) const
     -> Side {
-  return {f_.h.row(j),  f_.bed.row(j), f_.mu.row(j), f_.alpha.row(j), f_.cap.row(j), w.u,    w.v,
-          c.sh_x,       c.ss_x,        c.su_x,       c.sv_x,          c.dh,          c.du,   c.dv,
-          c.demand,     c.Kx,          f_.material};
+  return {f_.h.row(j),
+          f_.bed.row(j),
+          f_.mu.row(j),
+          f_.alpha.row(j),
+          f_.cap.row(j),
+          w.u,
+          w.v,
+          c.sh_x,
+          c.ss_x,
+          c.su_x,
+          c.sv_x,
+          c.dh,
+          c.du,
+          c.dv,
+          c.demand,
+          c.Kx,
+          broadcast(f_.material)};
 }
 
 template <class R, int Order, bool Flat, bool Uniform, bool OneD>
 auto BalancedRows<R, Order, Flat, Uniform, OneD>::side_between(int j, const VelocityRow& w, const CellRow& c) const
     -> Side {
-  return {f_.h.row(j),  f_.bed.row(j), f_.mu.row(j), f_.alpha.row(j), f_.cap.row(j), w.v,    w.u,
-          c.sh_y,       c.ss_y,        c.sv_y,       c.su_y,          c.dh,          c.dv,   c.du,
-          c.demand,     c.Ky,          f_.material};
+  return {f_.h.row(j),
+          f_.bed.row(j),
+          f_.mu.row(j),
+          f_.alpha.row(j),
+          f_.cap.row(j),
+          w.v,
+          w.u,
+          c.sh_y,
+          c.ss_y,
+          c.sv_y,
+          c.su_y,
+          c.dh,
+          c.dv,
+          c.du,
+          c.demand,
+          c.Ky,
+          broadcast(f_.material)};
 }
 
 template <class R, int Order, bool Flat, bool Uniform, bool OneD>
@@ -184,12 +223,11 @@ void BalancedRows<R, Order, Flat, Uniform, OneD>::faces(const Side& minus, int s
                                                         int last, const FluxRow& out) const {
   const Side L = minus, Q = plus;
   const FluxRow o = out;
-  const physics::StepParameters<R> p = p_;
-#pragma omp simd
-  for (int i = first; i < last; ++i) {
-    const auto F = physics::balanced_flux<Flat>(L.at(i - shift, R(0.5)), Q.at(i, R(-0.5)), p);
-    o.mass[i] = F.mass, o.normal[i] = F.normal, o.transverse[i] = F.transverse;
-    o.jump_left[i] = F.jump_left, o.jump_right[i] = F.jump_right;
+  const physics::StepParameters<V> p = broadcast(p_);
+  for (int i = first; i < last; i += lanes) {
+    const auto F = physics::balanced_flux<Flat>(L.at(i - shift, V(0.5f)), Q.at(i, V(-0.5f)), p);
+    store(o.mass, i, F.mass), store(o.normal, i, F.normal), store(o.transverse, i, F.transverse);
+    store(o.jump_left, i, F.jump_left), store(o.jump_right, i, F.jump_right);
   }
 }
 
@@ -202,30 +240,31 @@ int BalancedRows<R, Order, Flat, Uniform, OneD>::update_row(int j, int first, in
   const R *mu = f_.mu.row(j), *alpha = f_.alpha.row(j), *cap = f_.cap.row(j);
   const CellRow c = cells;
   const FluxRow x = along, lower = south, upper = north;
-  const physics::StepParameters<R> p = p_;
-  const physics::Material<R> material = f_.material;
-  int flags = 0;
-#pragma omp simd reduction(| : flags)
-  for (int i = first; i < last; ++i) {
-    physics::CellCore<R> core{R(0), c.ss_x[i], R(0), R(0), R(0), c.G[i]};
+  const physics::StepParameters<V> p = broadcast(p_);
+  const physics::Material<V> material = broadcast(f_.material);
+  StepWatch<R> watch;
+  for (int i = first; i < last; i += lanes) {
+    const V zero = 0;
+    physics::CellCore<V> core{zero, load(c.ss_x, i), zero, zero, zero, load(c.G, i)};
     if constexpr (Order == 2) {
-      core.sh_x = c.sh_x[i];
-      core.dh = c.dh[i];
+      core.sh_x = load(c.sh_x, i);
+      core.dh = load(c.dh, i);
     }
-    physics::FaceFlux<R> below{}, above{};
+    physics::FaceFlux<V> below{}, above{};
     if constexpr (!OneD) {
-      core.ss_y = c.ss_y[i];
+      core.ss_y = load(c.ss_y, i);
       if constexpr (Order == 2) {
-        core.sh_y = c.sh_y[i];
+        core.sh_y = load(c.sh_y, i);
       }
       below = lower.at(i), above = upper.at(i);
     }
-    const auto s = physics::balanced_update<OneD>({h[i], hu[i], hv[i]}, core, x.at(i), x.at(i + 1), below, above,
+    const physics::State<V> old{load(h, i), load(hu, i), load(hv, i)};
+    const auto s = physics::balanced_update<OneD>(old, core, x.at(i), x.at(i + 1), below, above,
                                                   material_at<Uniform>(material, mu, alpha, cap, i), p);
-    flags |= step_flags(h[i], hu[i], hv[i], s.h, s.hu, s.hv);
-    h_new[i] = s.h, hu_new[i] = s.hu, hv_new[i] = s.hv;
+    watch.see(first_lanes<R>(last - i), old.h, old.hu, old.hv, s.h, s.hu, s.hv);
+    store(h_new, i, s.h), store(hu_new, i, s.hu), store(hv_new, i, s.hv);
   }
-  return flags;
+  return watch.flags();
 }
 
 template <class R, int Order, bool Flat, bool Uniform, bool OneD>
@@ -282,28 +321,29 @@ R BalancedRows<R, Order, Flat, Uniform, OneD>::row_speed(const FieldView<R>& h_f
   const R *hu = hu_field.row(j), *hv = hv_field.row(j);
   const R *b = f_.bed.row(j), *b_s = f_.bed.row(js), *b_n = f_.bed.row(jn);
   const R *mu = f_.mu.row(j), *alpha = f_.alpha.row(j), *cap = f_.cap.row(j);
-  const physics::StepParameters<R> p = p_;
-  const physics::Material<R> material = f_.material;
-  R fastest = 0;
-#pragma omp simd reduction(max : fastest)
-  for (int i = i0; i < i1; ++i) {
-    physics::Line<R> x{h[i - 1], h[i], h[i + 1], R(0), R(0), R(0)}, y{h_s[i], h[i], h_n[i], R(0), R(0), R(0)};
+  const physics::StepParameters<V> p = broadcast(p_);
+  const physics::Material<V> material = broadcast(f_.material);
+  V fastest = 0;
+  for (int i = i0; i < i1; i += lanes) {
+    const V depth = load(h, i), zero = 0;
+    physics::Line<V> x{load(h, i - 1), depth, load(h, i + 1), zero, zero, zero};
+    physics::Line<V> y{load(h_s, i), depth, load(h_n, i), zero, zero, zero};
     if constexpr (!Flat) {
-      x.b_minus = b[i - 1], x.b = b[i], x.b_plus = b[i + 1];
-      y.b_minus = b_s[i], y.b = b[i], y.b_plus = b_n[i];
+      x.b_minus = load(b, i - 1), x.b = load(b, i), x.b_plus = load(b, i + 1);
+      y.b_minus = load(b_s, i), y.b = x.b, y.b_plus = load(b_n, i);
     }
-    const R slope_x = physics::compact_slope(physics::differences<Flat>(x), p.dx);
-    R slope = physics::absolute(slope_x);
+    const V slope_x = physics::compact_slope(physics::differences<Flat>(x), p.dx);
+    V slope = physics::absolute(slope_x);
     if constexpr (!OneD) {
       slope = physics::length(slope_x, physics::compact_slope(physics::differences<Flat>(y), p.dx));
     }
-    const R u = physics::quotient_velocity(hu[i], h[i], p.dry_depth);
-    const R v = physics::quotient_velocity(hv[i], h[i], p.dry_depth);
-    const R speed = physics::balanced_speed<OneD>(h[i], u, v, slope, material_at<Uniform>(material, mu, alpha, cap, i),
+    const V u = physics::quotient_velocity(load(hu, i), depth, p.dry_depth);
+    const V v = physics::quotient_velocity(load(hv, i), depth, p.dry_depth);
+    const V speed = physics::balanced_speed<OneD>(depth, u, v, slope, material_at<Uniform>(material, mu, alpha, cap, i),
                                                   p.g, p.dx, p.dry_depth);
-    fastest = physics::maximum(fastest, speed);
+    fastest = physics::maximum(fastest, physics::select(first_lanes<R>(i1 - i), speed, zero));
   }
-  return fastest;
+  return hmax(fastest);
 }
 
 }  // namespace sandsim::cpu

@@ -83,7 +83,7 @@ class CpuBackend final : public Backend {
   std::array<Field<R>, 2> h_, hu_, hv_;
   Field<R> bed_, mu_, alpha_, cap_;
   physics::Material<R> material_{};
-  std::vector<Scratch<R>> scratch_;  // one a thread
+  std::vector<Scratch<R>> scratch_;               // one a thread
   std::array<std::vector<double>, 4> side_mass_;  // x_min, x_max, y_min, y_max; empty where the side is closed
   SideFlow flow_;
   Maxima<R> maxima_;
@@ -151,8 +151,8 @@ auto CpuBackend<Rows, Make>::map_of(const std::vector<double>& values, bool is_b
   Field<R> field(nx(), ny(), R(0));
   for (int j = 0; j < ny(); ++j) {
     for (int i = 0; i < nx(); ++i) {
-      field.row(j)[i] = static_cast<R>(values[static_cast<std::size_t>(j) * static_cast<std::size_t>(nx()) +
-                                              static_cast<std::size_t>(i)]);
+      field.row(j)[i] = static_cast<R>(
+          values[static_cast<std::size_t>(j) * static_cast<std::size_t>(nx()) + static_cast<std::size_t>(i)]);
     }
   }
   if (is_bed) {
@@ -192,9 +192,9 @@ double CpuBackend<Rows, Make>::bytes_per_step() const {
 template <class Rows, class Make>
 StepFields<R_of<Rows>> CpuBackend<Rows, Make>::fields() const {
   const std::size_t to = next();
-  return {h_[current_].view(), hu_[current_].view(), hv_[current_].view(), h_[to].view(), hu_[to].view(),
-          hv_[to].view(),      bed_.view(),          mu_.view(),           alpha_.view(), cap_.view(),
-          material_};
+  return {
+      h_[current_].view(), hu_[current_].view(), hv_[current_].view(), h_[to].view(), hu_[to].view(), hv_[to].view(),
+      bed_.view(),         mu_.view(),           alpha_.view(),        cap_.view(),   material_};
 }
 
 template <class Rows, class Make>
@@ -205,8 +205,8 @@ physics::StepParameters<R_of<Rows>> CpuBackend<Rows, Make>::parameters(R dt) con
 
 template <class Rows, class Make>
 Diagnosed<R_of<Rows>> CpuBackend<Rows, Make>::diagnosed() const {
-  return {nx(),        ny(),        parameters(R(0)), h_[current_].view(), hu_[current_].view(), hv_[current_].view(),
-          bed_.view(), mu_.view(),  material_,        Rows::flat,          Rows::uniform};
+  return {nx(),        ny(),       parameters(R(0)), h_[current_].view(), hu_[current_].view(), hv_[current_].view(),
+          bed_.view(), mu_.view(), material_,        Rows::flat,          Rows::uniform};
 }
 
 template <class Rows, class Make>
@@ -247,8 +247,7 @@ SpeedLimit CpuBackend<Rows, Make>::speed_limit() const {
   SpeedLimit limit;
   for (int j = 0; j < ny(); ++j) {
     for (int i = 0; i < nx(); ++i) {
-      const R speed =
-          rows.row_speed(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j, i, i + 1);
+      const R speed = rows.row_speed(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j, i, i + 1);
       if (limit.i < 0 || static_cast<double>(speed) > limit.speed) {
         limit = {i, j, static_cast<double>(speed)};
       }
@@ -334,8 +333,7 @@ double CpuBackend<Rows, Make>::rain(const SandRain& rain, double dt) {
   }
   halo_.fill_rows(h_[current_].view(), hu_[current_].view(), hv_[current_].view());
   const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
-  fastest_ =
-      std::max(fastest_, rows_speed(rows, current_, std::max(0, j_first - 1), std::min(ny(), j_last + 2)));
+  fastest_ = std::max(fastest_, rows_speed(rows, current_, std::max(0, j_first - 1), std::min(ny(), j_last + 2)));
   return gained * config_.grid.spacing * config_.grid.spacing;
 }
 

@@ -26,9 +26,7 @@ struct Diagnosed {
   physics::Material<R> material;
   bool flat, uniform;
 
-  R velocity(R momentum, R depth) const {
-    return physics::quotient_velocity(momentum, depth, parameters.dry_depth);
-  }
+  R velocity(R momentum, R depth) const { return physics::quotient_velocity(momentum, depth, parameters.dry_depth); }
   R b(int i, int j) const { return flat ? R(0) : bed.row(j)[i]; }
   R friction(int i, int j) const { return uniform ? material.mu : mu.row(j)[i]; }
 };
@@ -134,8 +132,8 @@ double largest_slope_violation(const Diagnosed<R>& d) {
     const R mu = std::min(d.friction(i, j), d.friction(ie, je));
     if (h_left > d.parameters.dry_depth && h_right > d.parameters.dry_depth && mu > R(0)) {
       const R jump = physics::surface_difference(h_left, h_right, d.b(i, j), d.b(ie, je));
-      const double ratio = static_cast<double>(std::fabs(jump)) /
-                           (static_cast<double>(mu) * static_cast<double>(d.parameters.dx));
+      const double ratio =
+          static_cast<double>(std::fabs(jump)) / (static_cast<double>(mu) * static_cast<double>(d.parameters.dx));
       largest = std::max(largest, ratio - 1.0);
     }
   };
@@ -179,13 +177,17 @@ class Maxima {
       }
     }
   }
-  FinalFields fields() const { return {depth_, speed_, arrival_}; }
+  FinalFields fields() const {
+    return {depth_, speed_, arrival_};
+  }
   void set(const FinalFields& fields) {
     depth_ = std::get<std::vector<R>>(fields.max_depth);
     speed_ = std::get<std::vector<R>>(fields.max_speed);
     arrival_ = std::get<std::vector<R>>(fields.arrival_time);
   }
-  std::size_t bytes() const { return (depth_.size() + speed_.size() + arrival_.size()) * sizeof(R); }
+  std::size_t bytes() const {
+    return (depth_.size() + speed_.size() + arrival_.size()) * sizeof(R);
+  }
 
  private:
   R arrival_depth_ = 0;

@@ -113,8 +113,7 @@ struct Halo {
         for (int i = -halo; i < nx + halo; ++i) {
           // The source row again: its own ghost columns may have been extrapolated since.
           const R edge = f.row(source)[i];
-          f.row(ghost)[i] =
-              kind == BoundaryKind::open ? edge + static_cast<R>(k) * (edge - f.row(inner)[i]) : edge;
+          f.row(ghost)[i] = kind == BoundaryKind::open ? edge + static_cast<R>(k) * (edge - f.row(inner)[i]) : edge;
         }
       });
     }

@@ -25,8 +25,8 @@ std::unique_ptr<Backend> choose_instance(const BackendConfig& config, const Init
   constexpr auto yes = std::true_type{};
   constexpr auto no = std::false_type{};
   const bool flat = initial.bed.empty();
-  const bool uniform = initial.friction_coefficient.size() == 1 && initial.hbar_scale.size() == 1 &&
-                       initial.hbar_cap.size() == 1;
+  const bool uniform =
+      initial.friction_coefficient.size() == 1 && initial.hbar_scale.size() == 1 && initial.hbar_cap.size() == 1;
   if (config.grid.one_dimensional()) {
     return flat && uniform ? make(yes, yes, yes) : make(no, no, yes);
   }
@@ -47,14 +47,15 @@ std::unique_ptr<Backend> make_balanced(const BackendConfig& config, const Initia
 
 template <class R>
 std::unique_ptr<Backend> make_paper(const BackendConfig& config, const InitialState& initial) {
-  const physics::PaperSwitches<R> switches{config.numerics.momentum_flux == MomentumFlux::full ? R(1) : R(0.5),
-                                           config.numerics.rest_gate,
-                                           config.numerics.velocity == VelocityForm::desingularised};
+  const R factor = config.numerics.momentum_flux == MomentumFlux::full ? R(1) : R(0.5);
+  const bool gate = config.numerics.rest_gate;
+  const bool desingularised = config.numerics.velocity == VelocityForm::desingularised;
   const R courant = static_cast<R>(config.courant);
   return choose_instance(config, initial, [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
     using Rows = PaperRows<R, flat.value, uniform.value, one_d.value>;
-    const auto make = [switches, courant](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
-      return Rows(fields, p, switches, courant);
+    const auto make = [=](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
+      const physics::PaperSwitches<Pack<R>> switches{factor, physics::Mask<Pack<R>>(gate)};
+      return Rows(fields, p, switches, desingularised, courant);
     };
     return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
   });

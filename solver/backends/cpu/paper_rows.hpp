@@ -17,6 +17,8 @@ template <class R, bool Flat, bool Uniform, bool OneD>
 class PaperRows {
  public:
   using Real = R;
+  using V = Pack<R>;
+  static constexpr int lanes = static_cast<int>(V::size());
   static constexpr bool flat = Flat;
   static constexpr bool uniform = Uniform;
   static constexpr bool one_d = OneD;
@@ -26,8 +28,8 @@ class PaperRows {
   static constexpr int scratch_rows = 2 * 2 + 3 * 3;
 
   PaperRows(const StepFields<R>& fields, const physics::StepParameters<R>& parameters,
-            const physics::PaperSwitches<R>& switches, R courant)
-      : f_(fields), p_(parameters), switches_(switches), courant_(courant) {}
+            const physics::PaperSwitches<V>& switches, bool desingularised, R courant)
+      : f_(fields), p_(parameters), switches_(switches), desingularised_(desingularised), courant_(courant) {}
 
   /// Steps a tile. Returns the flags of its cells; notes the mass through open sides in `flow`.
   int step(const Tile& t, Scratch<R>& scratch, const SideFlow& flow) const;
@@ -40,13 +42,15 @@ class PaperRows {
     R *u, *v;
   };
   struct FluxRow {
-    SANDSIM_HD physics::FaceFlux<R> at(std::ptrdiff_t i) const {
-      return {mass[i], normal[i], transverse[i], R(0), R(0)};
+    SANDSIM_HD physics::FaceFlux<V> at(std::ptrdiff_t i) const {
+      return {load(mass, i), load(normal, i), load(transverse, i), V(0), V(0)};
     }
     R *mass, *normal, *transverse;
   };
   struct Side {
     const R *h, *n, *t;
+
+    SANDSIM_HD physics::PaperSide<V> at(std::ptrdiff_t i) const { return {load(h, i), load(n, i), load(t, i)}; }
   };
 
   void velocity_row(int j, int first, int last, const VelocityRow& out) const;
@@ -54,14 +58,16 @@ class PaperRows {
   void faces(const Side& minus, int shift, const Side& plus, int first, int last, const FluxRow& out) const;
   int update_row(int j, int first, int last, const VelocityRow& w, const FluxRow& along, const FluxRow& south,
                  const FluxRow& north) const;
-  SANDSIM_HD static R velocity(R momentum, R h, const physics::StepParameters<R>& p, bool desingularised) {
+  SANDSIM_HD static V velocity(const V& momentum, const V& h, const physics::StepParameters<V>& p,
+                               bool desingularised) {
     return desingularised ? physics::desingularised_velocity(momentum, h, p.dx)
                           : physics::quotient_velocity(momentum, h, p.dry_depth);
   }
 
   StepFields<R> f_;
   physics::StepParameters<R> p_;
-  physics::PaperSwitches<R> switches_;
+  physics::PaperSwitches<V> switches_;
+  bool desingularised_;  // eq. 13, else hu/h
   R courant_;
 };
 
@@ -69,15 +75,15 @@ template <class R, bool Flat, bool Uniform, bool OneD>
 void PaperRows<R, Flat, Uniform, OneD>::velocity_row(int j, int first, int last, const VelocityRow& out) const {
   const R *h = f_.h.row(j), *hu = f_.hu.row(j), *hv = f_.hv.row(j);
   const VelocityRow w = out;
-  const physics::StepParameters<R> p = p_;
+  const physics::StepParameters<V> p = broadcast(p_);
   const auto fill = [=](auto desingularised) {
-#pragma omp simd
-    for (int i = first; i < last; ++i) {
-      w.u[i] = velocity(hu[i], h[i], p, desingularised.value);
-      w.v[i] = velocity(hv[i], h[i], p, desingularised.value);
+    for (int i = first; i < last; i += lanes) {
+      const V depth = load(h, i);
+      store(w.u, i, velocity(load(hu, i), depth, p, desingularised.value));
+      store(w.v, i, velocity(load(hv, i), depth, p, desingularised.value));
     }
   };
-  if (switches_.desingularised) {
+  if (desingularised_) {
     fill(std::true_type{});
   } else {
     fill(std::false_type{});
@@ -89,13 +95,11 @@ void PaperRows<R, Flat, Uniform, OneD>::faces(const Side& minus, int shift, cons
                                               const FluxRow& out) const {
   const Side L = minus, Q = plus;
   const FluxRow o = out;
-  const physics::PaperSwitches<R> switches = switches_;
-  const R g = p_.g;
-#pragma omp simd
-  for (int i = first; i < last; ++i) {
-    const auto F = physics::paper_flux<R>({L.h[i - shift], L.n[i - shift], L.t[i - shift]}, {Q.h[i], Q.n[i], Q.t[i]},
-                                          switches, g);
-    o.mass[i] = F.mass, o.normal[i] = F.normal, o.transverse[i] = F.transverse;
+  const physics::PaperSwitches<V> switches = switches_;
+  const V g = p_.g;
+  for (int i = first; i < last; i += lanes) {
+    const auto F = physics::paper_flux(L.at(i - shift), Q.at(i), switches, g);
+    store(o.mass, i, F.mass), store(o.normal, i, F.normal), store(o.transverse, i, F.transverse);
   }
 }
 
@@ -110,27 +114,27 @@ int PaperRows<R, Flat, Uniform, OneD>::update_row(int j, int first, int last, co
   const R *mu = f_.mu.row(j), *alpha = f_.alpha.row(j), *cap = f_.cap.row(j);
   const VelocityRow velocities = w;
   const FluxRow x = along, lower = south, upper = north;
-  const physics::StepParameters<R> p = p_;
-  const physics::Material<R> material = f_.material;
-  int flags = 0;
-#pragma omp simd reduction(| : flags)
-  for (int i = first; i < last; ++i) {
-    R across_x = h[i + 1] - h[i - 1], across_y = OneD ? R(0) : h_n[i] - h_s[i];
+  const physics::StepParameters<V> p = broadcast(p_);
+  const physics::Material<V> material = broadcast(f_.material);
+  StepWatch<R> watch;
+  for (int i = first; i < last; i += lanes) {
+    V across_x = load(h, i + 1) - load(h, i - 1), across_y = OneD ? V(0) : load(h_n, i) - load(h_s, i);
     if constexpr (!Flat) {
-      across_x = across_x + (b[i + 1] - b[i - 1]);
-      across_y = OneD ? R(0) : across_y + (b_n[i] - b_s[i]);
+      across_x = across_x + (load(b, i + 1) - load(b, i - 1));
+      across_y = OneD ? V(0) : across_y + (load(b_n, i) - load(b_s, i));
     }
-    physics::FaceFlux<R> below{}, above{};
+    physics::FaceFlux<V> below{}, above{};
     if constexpr (!OneD) {
       below = lower.at(i), above = upper.at(i);
     }
-    const auto s = physics::paper_update<OneD>(h[i], velocities.u[i], velocities.v[i], across_x, across_y, x.at(i),
-                                               x.at(i + 1), below, above,
-                                               material_at<Uniform>(material, mu, alpha, cap, i), p);
-    flags |= step_flags(h[i], hu[i], hv[i], s.h, s.hu, s.hv);
-    h_new[i] = s.h, hu_new[i] = s.hu, hv_new[i] = s.hv;
+    const V depth = load(h, i);
+    const auto s =
+        physics::paper_update<OneD>(depth, load(velocities.u, i), load(velocities.v, i), across_x, across_y, x.at(i),
+                                    x.at(i + 1), below, above, material_at<Uniform>(material, mu, alpha, cap, i), p);
+    watch.see(first_lanes<R>(last - i), depth, load(hu, i), load(hv, i), s.h, s.hu, s.hv);
+    store(h_new, i, s.h), store(hu_new, i, s.hu), store(hv_new, i, s.hv);
   }
-  return flags;
+  return watch.flags();
 }
 
 template <class R, bool Flat, bool Uniform, bool OneD>
@@ -174,19 +178,20 @@ template <class R, bool Flat, bool Uniform, bool OneD>
 R PaperRows<R, Flat, Uniform, OneD>::row_speed(const FieldView<R>& h_field, const FieldView<R>& hu_field,
                                                const FieldView<R>& hv_field, int j, int i0, int i1) const {
   const R *h = h_field.row(j), *hu = hu_field.row(j), *hv = hv_field.row(j);
-  const physics::StepParameters<R> p = p_;
-  const R courant = courant_;
+  const physics::StepParameters<V> p = broadcast(p_);
+  const V courant = courant_;
   const auto largest = [=](auto desingularised) {
-    R fastest = 0;
-#pragma omp simd reduction(max : fastest)
-    for (int i = i0; i < i1; ++i) {
-      const R u = velocity(hu[i], h[i], p, desingularised.value);
-      const R v = velocity(hv[i], h[i], p, desingularised.value);
-      fastest = physics::maximum(fastest, physics::paper_speed<OneD>(h[i], u, v, p.g, courant));
+    V fastest = 0;
+    for (int i = i0; i < i1; i += lanes) {
+      const V depth = load(h, i), zero = 0;
+      const V u = velocity(load(hu, i), depth, p, desingularised.value);
+      const V v = velocity(load(hv, i), depth, p, desingularised.value);
+      const V speed = physics::paper_speed<OneD>(depth, u, v, p.g, courant);
+      fastest = physics::maximum(fastest, physics::select(first_lanes<R>(i1 - i), speed, zero));
     }
-    return fastest;
+    return hmax(fastest);
   };
-  return switches_.desingularised ? largest(std::true_type{}) : largest(std::false_type{});
+  return desingularised_ ? largest(std::true_type{}) : largest(std::false_type{});
 }
 
 }  // namespace sandsim::cpu

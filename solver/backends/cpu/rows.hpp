@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "solver/backends/cpu/pack.hpp"
 #include "solver/field.hpp"
 #include "solver/physics/parameters.hpp"
 
@@ -54,11 +55,12 @@ struct SideFlow {
   }
 };
 
-/// Rows of temporaries for one tile. A row of scratch holds the columns [i0 - pad, i1 + pad).
+/// Rows of temporaries for one tile. A row of scratch holds the columns [i0 - pad, i1 + pad): the halo and what a pack
+/// may reach past the end.
 template <class R>
 class Scratch {
  public:
-  static constexpr int pad = 16;
+  static constexpr int pad = 32;
   Scratch(int rows, int columns)
       : stride_((static_cast<std::size_t>(columns) + 2 * pad + 15) / 16 * 16),
         values_(stride_ * static_cast<std::size_t>(rows) + 16) {}
@@ -71,24 +73,34 @@ class Scratch {
   std::vector<R> values_;
 };
 
-/// The bits of one cell's new state.
+/// Collects what happened to the cells of a row, a pack at a time.
 template <class R>
-SANDSIM_HD int step_flags(R h_old, R hu_old, R hv_old, R h, R hu, R hv) {
-  const R largest = std::numeric_limits<R>::max();
-  const bool moves = (hu != R(0)) | (hv != R(0));
-  const bool differs = (h != h_old) | (hu != hu_old) | (hv != hv_old);
-  const bool sound = (h >= R(0)) & (h <= largest) & (physics::absolute(hu) + physics::absolute(hv) <= largest);
-  return (moves ? moving : 0) | (differs ? changed : 0) | (sound ? 0 : broken);
-}
+struct StepWatch {
+  using V = Pack<R>;
+  using M = typename V::mask_type;
+  M moves = M(false), differs = M(false), unsound = M(false);
 
-/// A cell's material: the run's, or the maps'.
+  SANDSIM_HD void see(const M& inside, const V& h_old, const V& hu_old, const V& hv_old, const V& h, const V& hu,
+                      const V& hv) {
+    const V largest = std::numeric_limits<R>::max();
+    moves |= inside & ((hu != V(0)) | (hv != V(0)));
+    differs |= inside & ((h != h_old) | (hu != hu_old) | (hv != hv_old));
+    const M sound = (h >= V(0)) & (h <= largest) & (physics::absolute(hu) + physics::absolute(hv) <= largest);
+    unsound |= inside & !sound;
+  }
+  int flags() const {
+    return (any_of(moves) ? moving : 0) | (any_of(differs) ? changed : 0) | (any_of(unsound) ? broken : 0);
+  }
+};
+
+/// Materials of a pack of cells: the run's, or the maps'.
 template <bool Uniform, class R>
-SANDSIM_HD physics::Material<R> material_at(const physics::Material<R>& uniform, const R* mu, const R* alpha,
-                                            const R* cap, std::ptrdiff_t i) {
+SANDSIM_HD physics::Material<Pack<R>> material_at(const physics::Material<Pack<R>>& uniform, const R* mu,
+                                                  const R* alpha, const R* cap, std::ptrdiff_t i) {
   if constexpr (Uniform) {
     return uniform;
   } else {
-    return {mu[i], alpha[i], cap[i]};
+    return {load(mu, i), load(alpha, i), load(cap, i)};
   }
 }
 
