@@ -68,7 +68,7 @@ def shaded(surface, depth, spacing, largest, exaggeration=1.0):
     towards_light = np.cos(LIGHT) / np.sqrt(2)
     shade = (rise_x - rise_y) * towards_light / np.sin(LIGHT) + 1
     shade = shade / np.sqrt(1 + rise_x**2 + rise_y**2)
-    shade = np.clip(1 + 0.7 * (shade - 1), 0.6, 1.3)[..., None]     # softer than Lambert's law
+    shade = np.clip(1 + 0.6 * (shade - 1), 0.5, 1.3)[..., None]     # softer than Lambert's law
     colours = SAND(depth / largest if largest > 0 else depth)[..., :3]
     colours[depth <= 0.005 * largest] = matplotlib.colors.to_rgb(BARE)
     return np.where(shade < 1, colours * shade, colours + (1 - colours) * (shade - 1))
@@ -80,6 +80,8 @@ def show_field(axes, series, frame, largest=None, exaggeration=1.0):
     largest = float(depth.max()) if largest is None else largest
     picture = shaded(series.surface(frame).astype(float), depth, series.spacing, largest, exaggeration)
     image = axes.imshow(picture, origin="lower", extent=series.extent, interpolation="nearest")
+    if np.ptp(series.bed) > 0:
+        axes.contour(series.x, series.y, series.bed, 15, colors="k", linewidths=0.35, alpha=0.5)
     axes.set(xlabel="x [m]", ylabel="y [m]")
     axes.grid(False)
     return image, plt.cm.ScalarMappable(plt.Normalize(0, largest), SAND)
