@@ -110,7 +110,7 @@ void check_raster(const Scene& scene, const std::string& key, const RasterFile& 
 }
 
 void check_fill(const std::string& key, const Fill& fill, Issues& issues) {
-  const std::vector<std::string> both{key + ".depth", key + ".surface"};
+  const std::vector<std::string> both{key + ".depth", key + ".surface", key + ".type"};
   if (fill.depth && fill.surface) {
     issues.push_back({key + ".surface", "both depth and surface", "a part is filled by a depth or up to a level",
                       "Remove one of the two.", both});
@@ -134,7 +134,7 @@ struct PartChecks {
                         "the box has no extent along " + std::string(axes[k]),
                         "to has to be larger than from",
                         "",
-                        {key + ".from", "grid.spacing", "grid.cells"}});
+                        {key + ".from", key + ".type", "grid.spacing", "grid.cells"}});
       return;
     }
     check_inside(scene, key, {box.from, box.to}, issues);

@@ -151,8 +151,8 @@ void describe(V& v, TimeControl& t) {
 template <class V>
 void describe(V& v, Numerics& n) {
   const char* const paper = "scheme: paper";
-  const bool is_paper = n.scheme == Scheme::paper;
   v.field("scheme", n.scheme, choice(), "The well-balanced scheme, or the one of the paper.");
+  const bool is_paper = n.scheme == Scheme::paper;
   v.field("order", n.order, number().at_least(1).at_most(2).only(!is_paper, "scheme: balanced"), "Order of accuracy.");
   v.field("precision", n.precision, choice(), "Precision of the fields.");
   v.field("momentum_flux", n.momentum_flux, choice().only(is_paper, paper), "hu^2, or hu^2/2 as eq. 7 prints it.");

@@ -178,7 +178,7 @@ std::filesystem::path Reading::find_file(const Node& node, const std::string& pa
   const std::filesystem::file_status status = std::filesystem::status(full, error);
   if (std::filesystem::is_regular_file(status)) return full;
   if (std::filesystem::exists(status)) {
-    complain_input(node, path, {"not a file", shown(full.string(), 200), ""});
+    complain_input(node, path, {"not a file", "looked at " + shown(full.string(), 200), ""});
     return {};
   }
   const Complaint missing{"the file is missing", "looked for " + shown(full.string(), 200), ""};
@@ -202,19 +202,20 @@ std::shared_ptr<const Raster> Reading::load(const Node& node, const std::string&
   }
   double smallest = std::numeric_limits<double>::infinity();
   double largest = -smallest;
-  for (double& value : raster->values) {
-    if (rule.dimension == Dimension::angle) value = value * std::numbers::pi / 180;
+  for (const double value : raster->values) {
     if (std::isnan(value)) continue;  // no data here
     smallest = std::min(smallest, value);
     largest = std::max(largest, value);
   }
-  if (smallest <= largest && !(rule.holds(smallest) && rule.holds(largest))) {
-    complain(node, path,
-             {"the raster holds values out of range",
-              "from " + quantity_text(smallest, rule.dimension) + " to " + quantity_text(largest, rule.dimension) +
-                  "; valid: " + rule.bounds_text(),
-              ""});
+  const bool is_angle = rule.dimension == Dimension::angle;
+  const auto si = [is_angle](double value) { return is_angle ? value * std::numbers::pi / 180 : value; };
+  if (smallest <= largest && !(rule.holds(si(smallest)) && rule.holds(si(largest)))) {
+    complain(
+        node, path,
+        {"the raster holds values out of range",
+         "from " + shortest_text(smallest) + " to " + shortest_text(largest) + "; valid: " + rule.bounds_text(), ""});
   }
+  std::transform(raster->values.begin(), raster->values.end(), raster->values.begin(), si);
   return raster;
 }
 
@@ -237,9 +238,10 @@ void Reading::parse(const Node& node, const std::string& path, ScalarMap& target
     complain_key(child.position, path + '.' + child.key, {"unknown key", "", "Write the map like " + like + "."});
   }
   if (const Node* given = node.find("unit"); given != nullptr && !unit.empty()) {
-    parse_name(*given, path + ".unit", {unit});
+    if (parse_name(*given, path + ".unit", {unit}) == npos) return;
   } else if (!unit.empty()) {
     complain_key(node.position, path + ".unit", {"missing", "no unit is assumed", "Write the map like " + like + "."});
+    return;
   }
   const Node* raster = node.find("raster");
   if (raster == nullptr) {

@@ -4,7 +4,9 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -133,6 +135,16 @@ class TreeBuilder : public YAML::EventHandler {
     append(mark, std::move(node));
   }
 
+  /// The path of the key that waits for its value.
+  std::string path_of_key() const {
+    std::string path;
+    for (const Open& container : open_) {
+      const bool list = container.node.kind == Node::Kind::list;
+      path += (path.empty() ? "" : ".") + (list ? std::to_string(container.node.children.size()) : container.key);
+    }
+    return path;
+  }
+
   bool waits_for_key() const {
     return !open_.empty() && open_.back().node.kind == Node::Kind::map && !open_.back().has_key;
   }
@@ -158,7 +170,7 @@ class TreeBuilder : public YAML::EventHandler {
       parent.has_key = false;
       const auto [first, is_new] = parent.keys.try_emplace(parent.key, parent.key_position);
       if (!is_new) {
-        problems_.add(parent.key_position, shown(parent.key),
+        problems_.add(parent.key_position, shown(path_of_key(), 200),
                       {"a duplicate key",
                        "first given in line " + std::to_string(first->second.line) + ", column " +
                            std::to_string(first->second.column),
@@ -210,6 +222,18 @@ void check_text(const std::string& text, int override_at) {
   if (!is_utf8(text)) throw Unreadable{start, {"not UTF-8", "a scene is a text file in UTF-8", "Save it as UTF-8."}};
 }
 
+/// The first line that starts with blanks and a tab. The parser's own message about these is hard to understand.
+std::optional<Position> tab_in_indentation(const std::string& text) {
+  int line = 1;
+  for (std::size_t start = 0; start < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::size_t tab = text.find_first_not_of(' ', start);
+    if (tab < end && text[tab] == '\t') return Position{line, static_cast<int>(tab - start) + 1, -1};
+    start = end + 1;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Node parse_yaml(const std::string& text, Problems& problems, int override_at) {
@@ -228,8 +252,12 @@ Node parse_yaml(const std::string& text, Problems& problems, int override_at) {
   } catch (const Unreadable& unreadable) {
     problems.add(unreadable.position, "", unreadable.complaint);
   } catch (const YAML::Exception& error) {
-    problems.add(builder.position(error.mark), "",
-                 {"not valid YAML", error.msg, override_at < 0 ? "" : "Put text with special characters in quotes."});
+    if (const std::optional<Position> tab = tab_in_indentation(text); tab && override_at < 0) {
+      problems.add(*tab, "", {"a tab in the indentation", "YAML indents with spaces only", "Use spaces."});
+    } else {
+      problems.add(builder.position(error.mark), "",
+                   {"not valid YAML", error.msg, override_at < 0 ? "" : "Put text with special characters in quotes."});
+    }
   }
   problems.throw_if_any();
   return {};
