@@ -70,7 +70,7 @@ def write_tables(rows, folder):
     lines += [head + f" | time to {TARGET:g} | cell-steps to {TARGET:g} |", "|---" * (len(SPACINGS) + 5) + "|"]
     for key in dict.fromkeys((row["hbar"], row["scheme"], row["precision"]) for row in rows):
         chosen = [row for row in rows if (row["hbar"], row["scheme"], row["precision"]) == key]
-        cells = [f"{row['error']:.2e} ({1e3 * row['seconds']:.2g} ms)" for row in chosen]
+        cells = [f"{row['error']:.2e} ({1e3 * row['seconds']:.3g} ms)" for row in chosen]
         time, steps = (cost_at(chosen, TARGET, column) for column in ("seconds", "cell_steps"))
         cells += [f"{1e3 * time:.3g} ms", f"{steps:.2e}"] if time else ["never", "never"]
         lines.append("| " + " | ".join([*key, *cells]) + " |")
