@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "solver/report.hpp"
@@ -63,5 +64,8 @@ struct Plan {
   std::int64_t output_bytes = 0;  // uncompressed
 };
 Plan plan(const Scene& scene);
+
+/// The stages that a run of the scene has, in the order of the report.
+std::vector<std::string> stage_names(const Scene& scene);
 
 }  // namespace sandsim

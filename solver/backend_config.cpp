@@ -1,0 +1,132 @@
+#include "solver/backend_config.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/errors.hpp"
+#include "solver/numerics.hpp"
+
+namespace sandsim {
+namespace {
+
+/// Default depth from which sand counts as arrived, as a fraction of the spacing.
+constexpr double arrival_fraction = 1e-3;
+
+/// Bytes that the state and its maps will take, halos left out. The initial state is held in float64 meanwhile.
+double expected_bytes(const Scene& scene, const InitialState& initial) {
+  const double word = scene.numerics.precision == Precision::float32 ? 4.0 : 8.0;
+  const double cells = static_cast<double>(scene.grid.cell_count());
+  double words = 6.0 + (initial.bed.empty() ? 0.0 : 1.0) + (scene.output.maxima ? 3.0 : 0.0);
+  for (const auto* map : {&initial.friction_coefficient, &initial.hbar_scale, &initial.hbar_cap}) {
+    words += map->size() > 1 ? 1.0 : 0.0;
+  }
+  return cells * words * word;
+}
+
+}  // namespace
+
+BackendConfig backend_config(const Scene& scene, int threads) {
+  BackendConfig config;
+  config.grid = scene.grid;
+  config.gravity = scene.gravity;
+  config.boundaries = scene.boundaries;
+  config.numerics = scene.numerics;
+  config.courant = scene.time.courant.value_or(default_courant(scene.numerics));
+  config.maxima = scene.output.maxima;
+  config.arrival_depth =
+      scene.output.arrival_depth > 0.0 ? scene.output.arrival_depth : arrival_fraction * scene.grid.spacing;
+  config.threads = threads;
+  return config;
+}
+
+std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, int threads) {
+  const double needed = expected_bytes(scene, initial);
+  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed > present) {
+    throw DeviceError("the scene needs " + std::to_string(static_cast<std::int64_t>(needed / 1048576.0)) +
+                      " MiB of memory and this machine has " +
+                      std::to_string(static_cast<std::int64_t>(present / 1048576.0)) +
+                      " MiB. Use fewer cells, or numerics.precision: float32?");
+  }
+  return make_cpu_backend(backend_config(scene, threads), initial);
+}
+
+std::vector<std::string> output_field_names(const Scene& scene) {
+  std::vector<std::string> names;
+  if (scene.output.frames) {
+    for (const OutputField field : scene.output.fields) {
+      switch (field) {
+        case OutputField::depth:
+          names.insert(names.end(), {"depth"});
+          break;
+        case OutputField::velocity:
+          names.insert(names.end(), {"velocity_x", "velocity_y"});
+          break;
+        case OutputField::surface:
+          names.insert(names.end(), {"surface"});
+          break;
+        case OutputField::momentum:
+          names.insert(names.end(), {"momentum_x", "momentum_y"});
+          break;
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<SandRain> sand_rains(const Scene& scene) {
+  std::vector<SandRain> rains;
+  const Grid& grid = scene.grid;
+  for (const SandSource& source : scene.sand.sources) {
+    SandRain rain;
+    std::int64_t nearest = 0;
+    double nearest_distance = HUGE_VAL;
+    for (int j = 0; j < grid.cells[1]; ++j) {
+      for (int i = 0; i < grid.cells[0]; ++i) {
+        const double dx = grid.x(i) - source.center[0];
+        const double dy = grid.one_dimensional() ? 0.0 : grid.y(j) - source.center[1];
+        const double distance = std::hypot(dx, dy);
+        const std::int64_t cell = static_cast<std::int64_t>(j) * grid.cells[0] + i;
+        if (distance <= source.radius) {
+          rain.cells.push_back(cell);
+        }
+        if (distance < nearest_distance) {
+          nearest = cell, nearest_distance = distance;
+        }
+      }
+    }
+    if (rain.cells.empty()) {
+      rain.cells.push_back(nearest);
+    }
+    rain.rate = source.rate / (static_cast<double>(rain.cells.size()) * grid.spacing * grid.spacing);
+    rains.push_back(rain);
+  }
+  return rains;
+}
+
+std::vector<std::int64_t> probe_cells(const Scene& scene) {
+  std::vector<std::int64_t> cells;
+  const Grid& grid = scene.grid;
+  const auto index = [&](double at, int axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    const double cell = std::floor((at - grid.origin[k]) / grid.spacing);
+    return static_cast<std::int64_t>(std::clamp(cell, 0.0, static_cast<double>(grid.cells[k] - 1)));
+  };
+  for (const Probe& probe : scene.output.probes) {
+    cells.push_back(index(probe.at[1], 1) * grid.cells[0] + index(probe.at[0], 0));
+  }
+  return cells;
+}
+
+std::int64_t FrameSchedule::count() const {
+  // A hair under the quotient: an end that is a multiple of the interval but for rounding has no extra frame.
+  return static_cast<std::int64_t>(std::ceil(end / interval * (1.0 - 1e-12))) + 1;
+}
+
+double FrameSchedule::due(std::int64_t frame) const {
+  return frame + 1 >= count() ? end : static_cast<double>(frame) * interval;
+}
+
+}  // namespace sandsim

@@ -1,0 +1,38 @@
+// From a scene to what its backend has to know.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/backend.hpp"
+#include "solver/initial_state.hpp"
+#include "solver/scene.hpp"
+
+namespace sandsim {
+
+BackendConfig backend_config(const Scene& scene, int threads);
+
+/// The backend for the scene, its memory checked first. Throws DeviceError if this machine has too little.
+std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, int threads);
+
+/// Names in series.h5 of the fields that the scene asks for.
+std::vector<std::string> output_field_names(const Scene& scene);
+
+/// The scene's sources as cells and growth rates.
+std::vector<SandRain> sand_rains(const Scene& scene);
+
+/// Cells that hold the probes' points (j * nx + i).
+std::vector<std::int64_t> probe_cells(const Scene& scene);
+
+/// The frames of a run: frame k is due at k frame_interval, the last one at `end`.
+struct FrameSchedule {
+  double interval, end;  // [s]
+
+  explicit FrameSchedule(const TimeControl& time) : interval(time.frame_interval), end(time.end) {}
+  std::int64_t count() const;
+  double due(std::int64_t frame) const;
+};
+
+}  // namespace sandsim

@@ -1,0 +1,466 @@
+#include "solver/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "solver/backend.hpp"
+#include "solver/backend_config.hpp"
+#include "solver/initial_state.hpp"
+#include "solver/reference/compare.hpp"
+
+namespace sandsim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Relative drift of the volume above which a run is broken: two orders above what the schemes keep to.
+double drift_tolerance(Precision precision) {
+  return precision == Precision::float32 ? 1e-4 : 1e-11;
+}
+
+/// Adds the time of a scope to a stage.
+class StageTimer {
+ public:
+  explicit StageTimer(StageReport& stage, double bytes) : stage_(stage) {
+    stage_.launches += 1;
+    stage_.bytes += bytes;
+  }
+  ~StageTimer() { stage_.seconds += seconds_since(start_); }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  StageReport& stage_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The depth as float64, whatever the run's precision.
+std::vector<double> as_double(const FieldValues& values) {
+  return std::visit([](const auto& v) { return std::vector<double>(v.begin(), v.end()); }, values);
+}
+
+/// One run, from its start or a checkpoint to its end.
+class Run {
+ public:
+  Run(const Scene& scene, const RunOptions& options, Sink& sink);
+  RunReport go();
+
+ private:
+  enum class Next { go_on, stop };
+
+  void resume(const Checkpoint& checkpoint);
+  Checkpoint checkpoint() const;
+  Next advance_to(double due);
+  double choose_step(double due, double bound, bool& limited);
+  bool step_is_sound(double bound);
+  void step(double dt, double bound, bool limited);
+  void note_step(double dt, bool limited);
+  void rain(double dt);
+  bool rains_from(double time) const;
+  void frame();
+  Next look_up();
+  void save_checkpoint();
+  void fail(Incident incident, const std::string& message);
+  void finish();
+  StageReport* stage(const std::string& name);
+  double wall() const { return wall_before_ + seconds_since(start_); }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  Sink& sink_;
+  Clock::time_point start_ = Clock::now();
+  InitialState initial_;
+  FrameSchedule schedule_;
+  std::unique_ptr<Backend> backend_;
+  std::vector<SandRain> rains_;
+  std::vector<std::int64_t> probes_;
+  std::vector<std::string> fields_;
+  RunReport report_;
+  StageReport *steps_ = nullptr, *sources_ = nullptr, *maxima_ = nullptr, *frames_ = nullptr;  // in report_
+  double time_ = 0.0;
+  double wall_before_ = 0.0;
+  double last_checkpoint_ = 0.0;
+  double frame_step_min_ = 0.0, frame_step_max_ = 0.0;
+  double rain_step_ = std::numeric_limits<double>::infinity();
+  double last_motion_ = 0.0;
+  bool any_limited_step_ = false;
+};
+
+Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
+    : scene_(scene),
+      options_(options),
+      sink_(sink),
+      initial_(build_initial_state(scene)),
+      schedule_(scene.time),
+      backend_(make_backend(scene, initial_, options.threads)),
+      rains_(sand_rains(scene)),
+      probes_(probe_cells(scene)),
+      fields_(output_field_names(scene)) {
+  const Numerics& numerics = scene.numerics;
+  report_.device = backend_->device();
+  report_.threads = backend_->threads();
+  report_.precision = numerics.precision == Precision::float32 ? "float32" : "float64";
+  report_.scheme = numerics.scheme == Scheme::balanced ? "balanced" : "paper";
+  report_.order = numerics.scheme == Scheme::balanced ? numerics.order : 1;
+  report_.cells = static_cast<std::int64_t>(scene.grid.cell_count());
+  report_.memory_bytes = backend_->memory_bytes();
+  for (const std::string& name : stage_names(scene)) {
+    report_.stages.push_back({name, 0.0, 0, 0.0});
+  }
+  steps_ = stage("step"), sources_ = stage("sources"), maxima_ = stage("maxima"), frames_ = stage("frames");
+  report_.ledger.initial = report_.ledger.final = backend_->statistics().volume;
+  for (const SandRain& rain : rains_) {
+    // A step may neither pile up more than a tenth of a spacing nor outlast a fall over one spacing: sand on a dry
+    // bed has no wave speed yet that would bound the step.
+    const double dx = scene.grid.spacing;
+    rain_step_ = std::min(
+        {rain_step_, 0.1 * dx / rain.rate, scene.gravity > 0.0 ? std::sqrt(dx / scene.gravity) : schedule_.interval});
+  }
+}
+
+/// Null if the scene has no such stage.
+StageReport* Run::stage(const std::string& name) {
+  const auto found = std::find_if(report_.stages.begin(), report_.stages.end(),
+                                  [&](const StageReport& stage) { return stage.name == name; });
+  return found == report_.stages.end() ? nullptr : &*found;
+}
+
+void Run::resume(const Checkpoint& from) {
+  backend_->set_state({from.depth, from.momentum_x, from.momentum_y});
+  if (scene_.output.maxima) {
+    backend_->set_maxima({from.max_depth, from.max_speed, from.arrival_time});
+  }
+  report_.steps = from.steps;
+  report_.frames = from.frames;
+  report_.ledger = from.ledger;
+  report_.dt_min = from.dt_min, report_.dt_max = from.dt_max;
+  report_.smallest_step = from.smallest_step;
+  any_limited_step_ = from.smallest_step.i >= 0;
+  time_ = from.time;
+  last_motion_ = from.stop_time;
+  frame_step_min_ = from.frame_step_min, frame_step_max_ = from.frame_step_max;
+  wall_before_ = from.wall_time;
+}
+
+Checkpoint Run::checkpoint() const {
+  Checkpoint to;
+  to.steps = report_.steps;
+  to.frames = report_.frames;
+  to.time = time_;
+  to.frame_step_min = frame_step_min_, to.frame_step_max = frame_step_max_;
+  to.wall_time = wall();
+  to.ledger = report_.ledger;
+  to.dt_min = report_.dt_min, to.dt_max = report_.dt_max;
+  to.smallest_step = report_.smallest_step.value_or(Incident{});
+  to.stop_time = last_motion_;
+  StateArrays state = backend_->state();
+  to.depth = std::move(state.depth);
+  to.momentum_x = std::move(state.momentum_x), to.momentum_y = std::move(state.momentum_y);
+  if (scene_.output.maxima) {
+    FinalFields maxima = backend_->maxima();
+    to.max_depth = std::move(maxima.max_depth), to.max_speed = std::move(maxima.max_speed);
+    to.arrival_time = std::move(maxima.arrival_time);
+  }
+  return to;
+}
+
+RunReport Run::go() {
+  if (options_.resume != nullptr) {
+    resume(*options_.resume);
+  }
+  StaticFields statics;
+  if (!initial_.bed.empty()) {
+    statics.bed = backend_->field("bed");
+  }
+  sink_.begin(scene_, statics);
+  if (report_.frames == 0) {
+    if (scene_.output.maxima) {
+      backend_->update_maxima(0.0);
+    }
+    frame();
+  }
+  report_.first_step_time = seconds_since(start_);
+  report_.status = "done";
+  while (report_.frames < schedule_.count()) {
+    const Next next = advance_to(schedule_.due(report_.frames));
+    if (report_.failure || next == Next::stop) {
+      break;
+    }
+    frame();
+    if (report_.failure) {
+      break;
+    }
+    if (report_.at_rest && scene_.time.stop_at_rest) {
+      report_.status = "at rest";
+      break;
+    }
+  }
+  finish();
+  return report_;
+}
+
+/// Steps until `due`, or until nothing moves any more: then the time jumps there, since no step would change a thing.
+Run::Next Run::advance_to(double due) {
+  while (time_ < due) {
+    if (report_.at_rest) {
+      if (!scene_.time.stop_at_rest) {
+        time_ = due;
+      }
+      return Next::go_on;
+    }
+    const double bound = std::min(backend_->stable_step(), rains_from(time_) ? rain_step_ : HUGE_VAL);
+    if (!step_is_sound(bound)) {
+      return Next::stop;
+    }
+    bool limited = false;
+    const double dt = choose_step(due, bound, limited);
+    step(dt, bound, limited);
+    // A step that ends on the frame ends there exactly.
+    time_ = due - time_ <= 1e-9 * dt ? due : time_;
+    if (report_.failure || look_up() == Next::stop) {
+      return Next::stop;
+    }
+  }
+  return Next::go_on;
+}
+
+double Run::choose_step(double due, double bound, bool& limited) {
+  const double remaining = due - time_;
+  double target = remaining;
+  if (scene_.time.mode == TimeMode::fixed) {
+    const double step = scene_.time.step;
+    // Where in the running step of fixed length we are: only sub-cycles stop inside one.
+    const double done = std::fmod(time_ + 1e-9 * step, step);
+    target = std::min(remaining, done < 2e-9 * step ? step : step - done);
+    target = std::fabs(target - step) < 1e-6 * step ? step : target;
+    if (target <= bound * (1.0 + 1e-6)) {
+      return target;
+    }
+  }
+  // The last steps before the target are made even, so that none is tiny.
+  limited = bound < target;
+  if (!limited) {
+    return target;
+  }
+  return 2.0 * bound > target ? 0.5 * target : bound;
+}
+
+/// A fixed step must keep to the bound unless it may be divided; an adaptive one must not collapse.
+bool Run::step_is_sound(double bound) {
+  const bool fixed = scene_.time.mode == TimeMode::fixed;
+  const double shortest = scene_.time.minimum_step.value_or(1e-9 * scene_.time.end);
+  const bool too_long = fixed && !scene_.time.subcycle && scene_.time.step > bound * (1.0 + 1e-6);
+  const bool collapsed = bound < shortest;
+  if (!too_long && !collapsed) {
+    return true;
+  }
+  const SpeedLimit limit = backend_->speed_limit();
+  Incident incident;
+  incident.i = limit.i, incident.j = limit.j, incident.time = time_, incident.step = bound;
+  if (too_long) {
+    incident.cause = "the fixed step breaks the stability bound";
+    fail(incident, "time.step = " + std::to_string(scene_.time.step) + " s is longer than the stability bound of " +
+                       std::to_string(bound) + " s. Shorten time.step, or set time.subcycle: true?");
+  } else {
+    incident.cause = "the time step collapsed";
+    fail(incident, "the stable step of " + std::to_string(bound) + " s is below time.minimum_step");
+  }
+  return false;
+}
+
+void Run::step(double dt, double bound, bool limited) {
+  if (limited) {
+    note_step(dt, limited);  // before the step: the cell that limits it is still the one
+  }
+  StepOutcome outcome;
+  {
+    StageTimer timer(*steps_, backend_->bytes_per_step());
+    outcome = backend_->step(dt);
+  }
+  report_.ledger.out += outcome.volume_out;
+  if (!limited) {
+    note_step(dt, limited);
+  }
+  rain(dt);
+  time_ += dt;
+  report_.steps += 1;
+  frame_step_min_ = frame_step_min_ == 0.0 ? dt : std::min(frame_step_min_, dt);
+  frame_step_max_ = std::max(frame_step_max_, dt);
+  if (scene_.output.maxima) {
+    StageTimer timer(*maxima_, 1.5 * backend_->bytes_per_step());
+    backend_->update_maxima(time_);
+  }
+  if (outcome.broken) {
+    Incident incident = backend_->find_broken();
+    incident.time = time_, incident.step = dt;
+    fail(incident, "numerical failure: " + incident.cause);
+    return;
+  }
+  if (outcome.moving || outcome.changed) {
+    last_motion_ = time_;
+  } else if (!rains_from(time_) && (scene_.time.mode == TimeMode::fixed || dt >= 0.49 * std::min(bound, 1e30))) {
+    // The same step again gives the same state. A step cut short could hide a change below rounding: those don't count.
+    report_.at_rest = true;
+  }
+}
+
+/// Steps that were cut to land on a frame count only as long as there is no other.
+void Run::note_step(double dt, bool limited) {
+  const bool first = report_.dt_min == 0.0 || (limited && !any_limited_step_);
+  if (!limited && any_limited_step_) {
+    return;
+  }
+  any_limited_step_ = any_limited_step_ || limited;
+  // The cell is looked for when the step has shrunk by 5 %: the search costs a pass over the grid.
+  if (first || !report_.smallest_step || dt < 0.95 * report_.smallest_step->step) {
+    Incident incident;
+    incident.time = time_, incident.step = dt, incident.cause = "cut to land on a frame";
+    if (limited) {
+      const SpeedLimit limit = backend_->speed_limit();
+      incident.i = limit.i, incident.j = limit.j, incident.cause = "stability bound";
+    }
+    report_.smallest_step = incident;
+  }
+  report_.dt_min = first ? dt : std::min(report_.dt_min, dt);
+  report_.dt_max = first ? dt : std::max(report_.dt_max, dt);
+}
+
+void Run::rain(double dt) {
+  for (std::size_t k = 0; k < rains_.size(); ++k) {
+    const SandSource& source = scene_.sand.sources[k];
+    const double open = std::min(time_ + dt, source.end) - std::max(time_, source.start);
+    if (open > 0.0) {
+      StageTimer timer(*sources_, 0.0);
+      report_.ledger.in += backend_->rain(rains_[k], open);
+    }
+  }
+}
+
+/// Whether some source is open at or after `time`.
+bool Run::rains_from(double time) const {
+  return std::any_of(scene_.sand.sources.begin(), scene_.sand.sources.end(),
+                     [&](const SandSource& source) { return source.end > time; });
+}
+
+void Run::frame() {
+  StageTimer timer(*frames_, 0.0);
+  const GridStatistics sums = backend_->statistics();
+  report_.ledger.final = sums.volume;
+  if (std::fabs(report_.ledger.error()) > drift_tolerance(scene_.numerics.precision)) {
+    Incident incident;
+    incident.time = time_;
+    incident.cause = "volume drift";
+    fail(incident, "the volume has drifted by " + std::to_string(report_.ledger.error()) + " of what was brought in");
+  }
+  Frame frame;
+  frame.index = report_.frames;
+  frame.statistics = {time_,         sums.volume, sums.kinetic_energy, sums.max_speed, frame_step_min_, frame_step_max_,
+                      report_.steps, wall(),      sums.moving_cells};
+  for (const std::string& name : fields_) {
+    frame.fields.push_back({name, backend_->field(name)});
+    frames_->bytes += static_cast<double>(report_.cells) * (report_.precision == "float32" ? 4.0 : 8.0);
+  }
+  frame.probes = backend_->sample(probes_);
+  frame.reference_tip = std::numeric_limits<double>::quiet_NaN();
+  if (scene_.reference) {
+    if (!scene_.reference->front_depths.empty()) {
+      const std::vector<double> depth = as_double(backend_->field("depth"));
+      for (const double threshold : scene_.reference->front_depths) {
+        frame.fronts.push_back(front(scene_.grid, depth, threshold));
+      }
+    }
+    if (scene_.reference->exact) {
+      ReferenceFrame exact = reference_at(scene_, initial_, time_);
+      frame.reference_depth = std::move(exact.depth);
+      frame.reference_tip = exact.tip;
+    }
+  }
+  sink_.frame(std::move(frame));
+  report_.frames += 1;
+  frame_step_min_ = frame_step_max_ = 0.0;
+}
+
+/// Between steps: progress, interrupts, limits, checkpoints.
+Run::Next Run::look_up() {
+  const double now = seconds_since(start_);
+  if (options_.progress) {
+    const double solving = steps_->seconds;
+    options_.progress(
+        {time_, scene_.time.end, report_.dt_max, report_.steps,
+         solving > 0.0 ? static_cast<double>(report_.cells) * static_cast<double>(steps_->launches) / solving : 0.0});
+  }
+  if (options_.interrupt != nullptr && options_.interrupt->load(std::memory_order_relaxed)) {
+    report_.status = "interrupted";
+    report_.exit_code = ExitCode::interrupted;
+  } else if (options_.max_wall > 0.0 && now >= options_.max_wall) {
+    report_.status = "wall-clock limit";
+    report_.exit_code = ExitCode::wall_clock_limit;
+  } else {
+    if (now - last_checkpoint_ >= scene_.output.checkpoint_interval) {
+      save_checkpoint();
+    }
+    return Next::go_on;
+  }
+  report_.message = report_.status + " at t = " + std::to_string(time_) + " s";
+  save_checkpoint();
+  return Next::stop;
+}
+
+void Run::save_checkpoint() {
+  if (options_.checkpoint) {
+    options_.checkpoint(checkpoint());
+  }
+  last_checkpoint_ = seconds_since(start_);
+}
+
+void Run::fail(Incident incident, const std::string& message) {
+  report_.status = "failed";
+  report_.exit_code = ExitCode::numerical_failure;
+  report_.message = message + ": t = " + std::to_string(incident.time) + " s";
+  if (incident.i >= 0) {
+    report_.message += ", cell (" + std::to_string(incident.i) + ", " + std::to_string(incident.j) +
+                       ") at x = " + std::to_string(scene_.grid.x(incident.i)) +
+                       " m, y = " + std::to_string(scene_.grid.y(incident.j)) + " m";
+  }
+  report_.failure = std::move(incident);
+}
+
+void Run::finish() {
+  report_.simulated_time = time_;
+  report_.ledger.final = backend_->statistics().volume;
+  report_.stop_time = report_.at_rest ? last_motion_ : 0.0;
+  report_.max_slope_violation = backend_->slope_violation();
+  double solving = 0.0;
+  for (const StageReport& each : report_.stages) {
+    solving += each.name == "frames" ? 0.0 : each.seconds;
+  }
+  if (solving > 0.0) {
+    report_.cell_steps_per_second =
+        static_cast<double>(report_.cells) * static_cast<double>(steps_->launches) / solving;
+  }
+  if (!report_.failure) {
+    if (scene_.reference) {
+      report_.errors = compare(scene_, initial_, time_, as_double(backend_->field("depth")));
+    }
+    if (report_.exit_code == ExitCode::done) {
+      sink_.end(scene_.output.maxima ? backend_->maxima() : FinalFields{});
+    }
+  }
+  report_.wall_time = wall();
+}
+
+}  // namespace
+
+RunReport run(const Scene& scene, const RunOptions& options, Sink& sink) {
+  return Run(scene, options, sink).go();
+}
+
+}  // namespace sandsim
