@@ -36,7 +36,7 @@ std::string progress_line(const Progress& progress, double start, double elapsed
   std::string bar;
   if (room >= 5) {
     const auto full = static_cast<std::size_t>(std::lround(fraction * room));
-    bar = "[" + std::string(full, '#') + std::string(static_cast<std::size_t>(room) - full, '-') + "]";
+    bar = fmt::format("[{:-<{}}]", std::string(full, '#'), room);
   }
   return (head + bar + tail).substr(0, static_cast<std::size_t>(std::max(width, 0)));
 }

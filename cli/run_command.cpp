@@ -13,6 +13,7 @@
 #include "cli/run_session.hpp"
 #include "cli/text.hpp"
 #include "io/output/checkpoint.hpp"
+#include "io/output/json.hpp"
 #include "io/output/scene_hash.hpp"
 #include "io/output/series_writer.hpp"
 #include "io/scene/resolved_scene.hpp"
@@ -60,8 +61,9 @@ RunInput read_input(const RunArguments& arguments, Console& console) {
     }
   }
   require_memory(input.scene);
-  input.resolved = resolved_scene(input.scene);
-  input.hash = scene_hash(input.resolved, input_files(input.scene, file.parent_path()));
+  // The copy in the results has to find the scene's files from there; the hash must not depend on where they are.
+  input.resolved = resolved_scene(input.scene, fs::absolute(file).parent_path());
+  input.hash = scene_hash(resolved_scene(input.scene), input_files(input.scene, file.parent_path()));
   input.directory = arguments.output.empty() ? default_output_directory(file) : fs::path(arguments.output);
   return input;
 }
@@ -80,7 +82,7 @@ bool is_finished(const OutputFiles& files) {
 
 /// Nothing is left to do: says so. Throws InputError if the finished run was one of another scene.
 void report_finished(const RunArguments& arguments, const RunInput& input, const OutputFiles& files, Console& console) {
-  if (read_text(files.scene) != input.resolved) {
+  if (read_text(files.report).find(json_string(input.hash)) == std::string::npos) {
     throw InputError(
         fmt::format("{}: holds the finished run of another scene; nothing to resume\n"
                     "  choose another directory with -o, or --overwrite it",

@@ -37,12 +37,15 @@ std::optional<int> parse_digits(std::string_view text) {
 }  // namespace
 
 std::string format_count(std::int64_t count) {
-  std::string digits = fmt::format("{}", count);
-  const std::int64_t first = count < 0 ? 1 : 0;
-  for (auto at = static_cast<std::int64_t>(digits.size()) - 3; at > first; at -= 3) {
-    digits.insert(static_cast<std::size_t>(at), ",");
+  const std::string digits = fmt::format("{}", count < 0 ? -count : count);
+  std::string text = count < 0 ? "-" : "";
+  for (std::size_t k = 0; k < digits.size(); ++k) {
+    if (k > 0 && (digits.size() - k) % 3 == 0) {
+      text.push_back(',');
+    }
+    text.push_back(digits[k]);
   }
-  return digits;
+  return text;
 }
 
 std::string format_bytes(double bytes) {
