@@ -103,7 +103,7 @@ void require(herr_t status, std::string_view tried) {
   if (status < 0) fail(tried);
 }
 
-Handle::Handle(hid_t id, Close close, std::string_view tried) : id_(id), close_(close) {
+Handle::Handle(hid_t id, Close closer, std::string_view tried) : id_(id), close_(closer) {
   if (id < 0) fail(tried);
 }
 

@@ -41,7 +41,7 @@ class Handle {
 
   Handle() = default;
   /// Throws Failure if `id` is an error.
-  Handle(hid_t id, Close close, std::string_view tried);
+  Handle(hid_t id, Close closer, std::string_view tried);
   ~Handle() { reset(); }
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept;
