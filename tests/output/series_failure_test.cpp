@@ -1,0 +1,119 @@
+// What is left of a series when the run is killed or the disk is full.
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "io/output/series_writer.hpp"
+#include "solver/errors.hpp"
+#include "tests/output/fixtures.hpp"
+#include "tests/support/catch.hpp"
+
+namespace sandsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writes frames until that fails; 6 (the exit code) if it failed with an OutputError that names a lack of space.
+int write_until_full(const fs::path& path, const Scene& scene) {
+  SeriesWriter writer(settings_of(path));
+  try {
+    writer.begin(scene, {});
+    for (std::int64_t index = 0; index < 1000; ++index) writer.frame(frame_of(scene, index));
+  } catch (const OutputError& error) {
+    return std::string(error.what()).find("no space") != std::string::npos ? 6 : 97;
+  }
+  return 0;
+}
+
+void require_partial_is_intact(const fs::path& path, const Scene& scene) {
+  std::int64_t frames = 0;
+  CHECK_FALSE(fs::exists(path));
+  CHECK(completed_frames_are_intact(partial_series_path(path), scene, frames));
+  CHECK(frames > 0);
+}
+
+/// Appends to a series without end and without pause.
+[[noreturn]] void write_for_ever(const fs::path& path, const Scene& scene) {
+  SeriesWriter writer(settings_of(path));
+  writer.begin(scene, {});
+  for (std::int64_t index = 0;; ++index) writer.frame(frame_of(scene, index));
+}
+
+}  // namespace
+
+TEST_CASE("The limit on the size of a file stops the run at the frame that does not fit") {
+  const TemporaryDirectory directory;
+  const Scene scene = small_scene(128, 128);
+
+  const int code = run_in_child([&] {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const struct rlimit limit { 4 << 20, 4 << 20 };
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    return write_until_full(directory / "series.h5", scene);
+  });
+
+  CHECK(code == 6);
+  require_partial_is_intact(directory / "series.h5", scene);
+}
+
+TEST_CASE("A full disk stops the run at the frame that does not fit") {
+  const TemporaryDirectory directory;
+  if (::mount("tmpfs", directory.path().c_str(), "tmpfs", 0, "size=6m") != 0) {
+    WARN("not tested: mounting a small file system is not permitted");
+    return;
+  }
+  const Scene scene = small_scene(128, 128);
+
+  CHECK(run_in_child([&] { return write_until_full(directory / "series.h5", scene); }) == 6);
+
+  require_partial_is_intact(directory / "series.h5", scene);
+  ::umount(directory.path().c_str());
+}
+
+TEST_CASE("A run that is killed leaves every frame that has a time") {
+  const TemporaryDirectory directory;
+  const Scene scene = small_scene(64, 64);
+  std::int64_t most = 0;
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    const fs::path path = directory / ("series-" + std::to_string(attempt) + ".h5");
+    const pid_t child = ::fork();
+    if (child == 0) write_for_ever(path, scene);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60) + std::chrono::microseconds(7919 * attempt));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    std::int64_t frames = 0;
+    CHECK(completed_frames_are_intact(partial_series_path(path), scene, frames));
+    most = std::max(most, frames);
+  }
+  CHECK(most > 0);
+}
+
+TEST_CASE("A series that was damaged before its end does not get its final name") {
+  const TemporaryDirectory directory;
+  const Scene scene = small_scene(256, 256);
+  SeriesWriter writer(settings_of(directory / "series.h5"));
+  writer.begin(scene, {});
+  writer.frame(frame_of(scene, 0));
+  const fs::path partial = directory / "series.h5.partial";
+  const auto size = static_cast<std::streamoff>(fs::file_size(partial));
+  {
+    // The end of the file holds the last of the fields: a lost write would look like this.
+    std::fstream file(partial, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(size / 2);
+    file << std::string(4096, '\0');
+  }
+
+  const std::string message = message_of<OutputError>([&] { writer.end({}); });
+
+  CHECK(message.find("reads differently") != std::string::npos);
+  CHECK_FALSE(fs::exists(directory / "series.h5"));
+}
+
+}  // namespace sandsim::test
