@@ -118,7 +118,12 @@ bool completed_frames_are_intact(const fs::path& path, const Scene& scene, std::
   const std::size_t cells = scene.grid.cell_count();
   const std::vector<std::int64_t> steps = hdf5::read_all<std::int64_t>(series.file(), "steps");
   for (const std::string& name : field_names(scene)) {
-    const std::vector<double> values = hdf5::read_all<double>(series.file(), name);
+    // A frame without a time may be cut off anywhere: only what comes before it is read.
+    std::vector<double> values(series.frames() * cells);
+    const hdf5::Block completed{
+        {0, 0, 0},
+        {series.frames(), static_cast<hsize_t>(scene.grid.cells[1]), static_cast<hsize_t>(scene.grid.cells[0])}};
+    hdf5::read(hdf5::open_dataset(series.file(), name).id(), H5T_NATIVE_DOUBLE, values.data(), completed);
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       const auto index = static_cast<std::size_t>(frame);
       if (series.times()[index] != 0.25 * static_cast<double>(frame) || steps[index] != 100 * frame) return false;

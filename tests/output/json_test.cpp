@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cstdlib>
 #include <limits>
 
 #include "io/output/run_report.hpp"
@@ -40,7 +41,7 @@ RunContext context_of_a_run() {
 TEST_CASE("JSON numbers are short and read back the same or are null") {
   CHECK(json_number(0.1) == "0.1");
   CHECK(json_number(1.0 / 3.0) == "0.3333333333333333");
-  CHECK(std::stod(json_number(5e-324)) == 5e-324);
+  CHECK(std::strtod(json_number(5e-324).c_str(), nullptr) == 5e-324);
   CHECK(json_number(infinity) == "null");
   CHECK(json_number(std::numeric_limits<double>::quiet_NaN()) == "null");
 }

@@ -46,6 +46,19 @@ void require_partial_is_intact(const fs::path& path, const Scene& scene) {
   for (std::int64_t index = 0;; ++index) writer.frame(frame_of(scene, index));
 }
 
+/// Resumes after one frame less than there are, writes a few more and ends.
+void go_on(const fs::path& path, const Scene& scene, std::int64_t frames) {
+  SeriesSettings settings = settings_of(path);
+  settings.resume_frames = frames - 1;
+  SeriesWriter writer(settings);
+  writer.begin(scene, {});
+  for (std::int64_t index = frames - 1; index < frames + 3; ++index) writer.frame(frame_of(scene, index));
+  writer.end({});
+  std::int64_t found = 0;
+  CHECK(completed_frames_are_intact(path, scene, found));
+  CHECK(found == frames + 3);
+}
+
 }  // namespace
 
 TEST_CASE("The limit on the size of a file stops the run at the frame that does not fit") {
@@ -77,7 +90,7 @@ TEST_CASE("A full disk stops the run at the frame that does not fit") {
   ::umount(directory.path().c_str());
 }
 
-TEST_CASE("A run that is killed leaves every frame that has a time") {
+TEST_CASE("A run that is killed leaves every frame that has a time and can be gone on with") {
   const TemporaryDirectory directory;
   const Scene scene = small_scene(64, 64);
   std::int64_t most = 0;
@@ -91,6 +104,7 @@ TEST_CASE("A run that is killed leaves every frame that has a time") {
     std::int64_t frames = 0;
     CHECK(completed_frames_are_intact(partial_series_path(path), scene, frames));
     most = std::max(most, frames);
+    if (frames > 0) go_on(path, scene, frames);
   }
   CHECK(most > 0);
 }
