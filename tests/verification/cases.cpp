@@ -109,6 +109,15 @@ bool Run::until_rest(double limit) {
   return false;
 }
 
+bool Run::until_still(double limit) {
+  for (int still = 0; still < 50;) {
+    if (time_ >= limit) return false;
+    step(std::min(backend_->stable_step(), limit - time_));
+    still = moving_ ? 0 : still + 1;
+  }
+  return true;
+}
+
 std::vector<double> Run::depth() const {
   return as_double(backend_->state().depth);
 }

@@ -56,6 +56,9 @@ class Run {
   void until(double time);
   /// Steps until all momentum is exactly zero and nothing changes any more, at most until `limit` [s].
   bool until_rest(double limit);
+  /// Steps until all momentum is exactly zero and has been so for 50 steps, at most until `limit` [s]. Depths may still
+  /// creep: a face a little steeper than mu levels exponentially slowly, without momentum.
+  bool until_still(double limit);
   /// Watches the largest speed after every step; it costs a pass.
   void watch_speed() { watching_ = true; }
 
