@@ -26,21 +26,32 @@ struct FaceFlux {
   R mass, normal, transverse, jump_left, jump_right;
 };
 
-/// phi: fraction of the acoustic dissipation. 0 where static friction holds the face, 1 in flow.
+/// What static friction makes of a face.
+template <class R>
+struct FrictionHold {
+  R phi;     // fraction of the acoustic dissipation: 0 where friction holds the face, 1 in flow
+  R topple;  // [m^2/s] mass that a face at rest but a little steeper than mu lets slide down
+};
+
+/// A face may stay above mu between two cells that are held, since the cells' own slopes are means over two faces. Its
+/// excess then fades ever more slowly (phi goes with the excess) and, in float32, stops at rounding. So a quarter of
+/// an excess of up to 1 % slides down in each step: the largest share that leaves a peak between four faces above mu
+/// no lower than its neighbours' mirror image. Steeper faces are left to the dynamics.
 template <bool Flat, class R>
-SANDSIM_HD R friction_switch(const FaceSide<R>& L, const FaceSide<R>& Q, R surface_jump, const StepParameters<R>& p) {
+SANDSIM_HD FrictionHold<R> friction_hold(const FaceSide<R>& L, const FaceSide<R>& Q, R surface_jump,
+                                         const StepParameters<R>& p) {
   const R mu = minimum(L.material.mu, Q.material.mu);
   const R held = mu * p.dx;
   R drop = absolute(surface_jump);
   if constexpr (!Flat) {
-    // At the edge of a drop only the upper cell's own depth can push.
-    const R bed_jump = Q.b - L.b;
-    const R from_right = minimum(drop, 2 * Q.h), from_left = minimum(drop, 2 * L.h);
-    drop = select(bed_jump >= L.h, from_right, select(-bed_jump >= Q.h, from_left, drop));
+    drop = surface_drop(surface_jump, L.h, Q.h, L.b, Q.b);
   }
   const R share = select(drop <= held, R(1), held / drop);
-  const R stillness = maximum(R(0), 1 - maximum(L.demand, Q.demand) / (p.g * p.dt));
-  return select(mu > R(0), 1 - share * stillness, R(1));
+  const R demand = maximum(L.demand, Q.demand);
+  const R stillness = maximum(R(0), 1 - demand / (p.g * p.dt));
+  const auto topples = (mu > R(0)) & (demand == R(0)) & (drop > held) & (drop <= constant<R>(1.01) * held);
+  return {select(mu > R(0), 1 - share * stillness, R(1)),
+          select(topples, R(0.25f) * (drop - held) * (p.dx / p.dt), R(0))};
 }
 
 /// Outflow speeds of both sides from the one-sided wave speeds (HLL as two upwind transports), under the caps.
@@ -75,7 +86,8 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   const R c_right = square_root(p.g * hbar(x_right, Q.material));
   const R a_plus = maximum(maximum(u_left + c_left, u_right + c_right), zero);
   const R a_minus = minimum(minimum(u_left - c_left, u_right - c_right), zero);
-  const R phi = friction_switch<Flat>(L, Q, surface_jump, p);
+  const FrictionHold<R> hold = friction_hold<Flat>(L, Q, surface_jump, p);
+  const R phi = hold.phi;
   const R b_plus = maximum(maximum(u_left + phi * c_left, u_right + phi * c_right), zero);
   const R b_minus = minimum(minimum(u_left - phi * c_left, u_right - phi * c_right), zero);
 
@@ -84,9 +96,13 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   const R cap_right = Q.K * minimum(h_right0 / x_right, R(1));
   al.left = minimum(al.left, select(x_left > zero, cap_left, zero));
   al.right = minimum(al.right, select(x_right > zero, cap_right, zero));
+  // The slide takes what the caps leave.
+  const auto leftward = surface_jump > zero;
+  const R room = select(leftward, (cap_right - al.right) * x_right, (cap_left - al.left) * x_left);
+  const R slide = select(hold.topple > zero, minimum(hold.topple, room), zero);
 
   FaceFlux<R> F;
-  F.mass = al.left * x_left - al.right * x_right;
+  F.mass = (al.left * x_left - al.right * x_right) + select(leftward, -slide, slide);
   F.normal = al.left * (x_left * u_left) - al.right * (x_right * u_right);
   F.transverse = F.mass * select(F.mass > zero, L.transverse, Q.transverse);
 

@@ -15,6 +15,15 @@ SANDSIM_HD R surface_difference(R h_left, R h_right, R b_left, R b_right) {
   return select(absolute(difference) <= noise, R(0), difference);
 }
 
+/// |s_right - s_left| as far as sand can push over the face: at the edge of a drop (the lower surface at or below the
+/// upper bed) only the upper cell's own depth counts. This is what friction has to hold.
+template <class R>
+SANDSIM_HD R surface_drop(R difference, R h_left, R h_right, R b_left, R b_right) {
+  const R drop = absolute(difference), bed_jump = b_right - b_left;
+  const R from_right = minimum(drop, 2 * h_right), from_left = minimum(drop, 2 * h_left);
+  return select(bed_jump >= h_left, from_right, select(-bed_jump >= h_right, from_left, drop));
+}
+
 /// Depth and bed of a cell and its two neighbours along one axis.
 template <class R>
 struct Line {

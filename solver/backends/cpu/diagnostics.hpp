@@ -123,7 +123,8 @@ Incident first_broken(const Diagnosed<R>& d) {
   return {};
 }
 
-/// Largest |ds|/(mu dx) - 1 over faces between wet cells; 0 if no face is steeper than its mu, or mu is 0.
+/// Largest |ds|/(mu dx) - 1 over faces between wet cells, |ds| as friction sees it; 0 if no face is steeper than its
+/// mu, or mu is 0.
 template <class R>
 double largest_slope_violation(const Diagnosed<R>& d) {
   double largest = 0.0;
