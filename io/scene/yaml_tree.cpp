@@ -214,7 +214,7 @@ void check_text(const std::string& text, int override_at) {
   const Position start{0, 0, override_at};
   if (text.size() > largest_scene_file) {
     throw Unreadable{start,
-                     {"larger than 16 MiB", "a scene is a small text file", "Put fields of values into rasters."}};
+                     {"larger than 1 MiB", "a scene is a small text file", "Put fields of values into rasters."}};
   }
   if (text.find('\0') != std::string::npos) {
     throw Unreadable{start, {"a binary file", "it holds bytes of value 0; a scene is a text file in UTF-8", ""}};

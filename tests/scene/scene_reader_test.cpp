@@ -171,8 +171,8 @@ TEST_CASE("problems of the scene outweigh missing files in the exit code") {
   CHECK_THROWS_AS(read(smallest_scene + missing + "gravity: 3\n"), SceneError);
 }
 
-TEST_CASE("a scene larger than 16 MiB is rejected unread") {
-  CHECK(complaints(std::string((16U << 20) + 1, '#')).starts_with("s.yaml: larger than 16 MiB"));
+TEST_CASE("a scene larger than 1 MiB is rejected unread") {
+  CHECK(complaints(std::string((1U << 20) + 1, '#')).starts_with("s.yaml: larger than 1 MiB"));
 }
 
 TEST_CASE("hundreds of problems are cut to a screenful") {
