@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
+#include "cli/memory.hpp"
 #include "cli/run_paths.hpp"
 #include "cli/text.hpp"
 #include "io/scene/resolved_scene.hpp"
@@ -38,6 +39,7 @@ ExitCode check_command(const CheckArguments& arguments, Console& console) {
   for (const std::string& warning : warnings) {
     console.err << "sandsim: warning: " << warning << '\n';
   }
+  require_memory(scene);  // The plan sets up the run, all but its steps.
   const Plan needs = plan(scene);
   console.out << resolved_scene(scene) << '\n' << plan_lines(scene, needs);
   const double available = available_memory();

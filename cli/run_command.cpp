@@ -9,9 +9,9 @@
 #include "cli/failures.hpp"
 #include "cli/input_files.hpp"
 #include "cli/machine.hpp"
+#include "cli/memory.hpp"
 #include "cli/run_paths.hpp"
 #include "cli/run_session.hpp"
-#include "cli/text.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/json.hpp"
 #include "io/output/scene_hash.hpp"
@@ -31,19 +31,6 @@ void require_device(Device device) {
     throw DeviceError(
         "--device cuda: this sandsim was built without a CUDA backend\n"
         "  use --device cpu or auto; 'sandsim devices' lists what there is");
-  }
-}
-
-/// The system hands out memory that it does not have and later kills whoever uses it: better to say so beforehand.
-void require_memory(const Scene& scene) {
-  const double word = scene.numerics.precision == Precision::float32 ? 4.0 : 8.0;
-  // Depth in double precision for the initial state; two sets of depth and momentum for the step.
-  const double least = static_cast<double>(scene.grid.cell_count()) * (8.0 + 6.0 * word);
-  const double available = available_memory();
-  if (available > 0.0 && least > available) {
-    throw DeviceError(
-        fmt::format("{} x {} cells need at least {} of memory, and {} are available: make the grid smaller",
-                    scene.grid.cells[0], scene.grid.cells[1], format_bytes(least), format_bytes(available)));
   }
 }
 
