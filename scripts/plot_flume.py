@@ -16,9 +16,9 @@ CHANNEL_RUNOUT = {"Lube et al. 2005": 1.2, "Lajeunesse et al. 2005, glass beads"
 LARGEST_ASPECT_RATIO = 0.7
 
 
-def find_file(name, folders):
-    """A file that the scene names, relative to the scene's folder."""
-    return next((folder / name for folder in folders if folder and (folder / name).is_file()), None)
+def short(path):
+    """The end of a path: enough to find it in the scene."""
+    return "/".join(Path(path).parts[-2:])
 
 
 def column(series):
@@ -35,9 +35,11 @@ def column(series):
 
 
 def draw_profiles(axes, series):
-    """Depth at several moments up to the end of the motion, and the exact solution while it is valid."""
-    stop = series.report.get("stop_time") or series.time[-1]
-    moments = np.unique([series.frame_at(stop * part) for part in (0, 0.125, 0.25, 0.375, 0.5, 0.75, 1)])
+    """Depth at several moments of the motion, and the exact solution while it is valid."""
+    energy = series.numbers["kinetic_energy"]
+    # The flow proper: until a thousandth of the largest energy is left.
+    end = series.time[np.flatnonzero(energy >= 1e-3 * energy.max())[-1]]
+    moments = np.unique([series.frame_at(end * part) for part in (0, 0.125, 0.25, 0.375, 0.5, 0.75, 1)])
     for colour, frame in zip(plt.cm.viridis(np.linspace(0, 0.9, len(moments))), moments):
         axes.plot(series.x, series.depth(frame)[0], color=colour, label=f"t = {series.time[frame]:.2f} s")
     exact = [frame for frame in range(1, series.frames) if series.reference_depth(frame) is not None]
@@ -48,29 +50,30 @@ def draw_profiles(axes, series):
     axes.legend()
 
 
-def draw_deposit(axes, series, reference, folders):
+def draw_deposit(axes, series, reference):
     """The last frame against the reference deposit and a measured profile. Returns what is missing."""
     axes.plot(series.x, series.depth(-1)[0], color="C0", label=f"sandsim, t = {series.time[-1]:.2f} s")
     missing = []
     for key, style, label in (("profile", "k--", "converged reference"), ("measured_profile", "ko", "measured")):
-        name = reference.get(key)
-        path = name and find_file(name, folders)
-        if path:
+        path = reference.get(key)
+        if path and Path(path).is_file():
             table = read_table(path)
-            axes.plot(table["x_m"], table["depth_m"], style, ms=3, lw=1, label=f"{label}: {Path(name).name}")
-        elif name and key == "measured_profile":
-            missing.append(name)
+            axes.plot(table["x_m"], table["depth_m"], style, ms=3, lw=1, label=f"{label}: {Path(path).name}")
+        elif path:
+            missing.append(path)
     axes.set(xlabel="x [m]", ylabel="depth of sand h [m]", title="Deposit" + relative_error(series))
     axes.legend()
     return missing
 
 
 def relative_error(series):
-    errors = [error for error in series.errors() if error.get("l1_relative") is not None]
-    return "".join(f" (relative L1 error {error['l1_relative']:.2e})" for error in errors[-1:])
+    """The error against the reference deposit, for the title."""
+    errors = [error["l1_relative"] for error in series.errors()
+              if error["against"].startswith("profile") and error.get("l1_relative") is not None]
+    return "".join(f" (relative L1 error {error:.2e})" for error in errors)
 
 
-def draw_fronts(axes, series, reference, folders):
+def draw_fronts(axes, series, reference):
     """Fronts over time, the exact tip, measured fronts, and the bands of column collapses. Returns what is missing."""
     if series.fronts is not None:
         for index, depth in enumerate(series.front_depths):
@@ -84,34 +87,28 @@ def draw_fronts(axes, series, reference, folders):
         ends = {source: length + factor * height for source, factor in CHANNEL_RUNOUT.items()}
         axes.axhspan(*sorted(ends.values()), color="0.85", zorder=0,
                      label=f"measured columns of a = {height / length:g} at rest:\n" + " to\n".join(ends))
-    missing = []
-    name = reference.get("measured_front")
-    path = name and find_file(name, folders)
-    if path:
+    path = reference.get("measured_front")
+    measured = path and Path(path).is_file()
+    if measured:
         table = read_table(path)
-        axes.plot(table["time_s"], table["front_m"], "ko", ms=3, label=f"measured: {Path(name).name}")
-    elif name:
-        missing.append(name)
+        axes.plot(table["time_s"], table["front_m"], "ko", ms=3, label=f"measured: {Path(path).name}")
     axes.set(xlabel="t [s]", ylabel="front, from the wall [m]", title="Fronts")
     axes.set_ylim(bottom=0)
     axes.legend(loc="lower right")
-    return missing
+    return [path] if path and not measured else []
 
 
 def main():
-    parser = arguments(__doc__)
-    parser.add_argument("--scene", type=Path, help="scene file: data that it names are looked for beside it")
-    options = parser.parse_args()
+    options = arguments(__doc__).parse_args()
     with Series(options.result) as series:
         reference = series.scene.get("reference") or {}
-        folders = [options.scene and options.scene.parent, series.directory, Path("/")]
         figure, axes = plt.subplots(1, 3, figsize=(14, 4.3))
         figure.suptitle(series.title)
         draw_profiles(axes[0], series)
-        missing = draw_deposit(axes[1], series, reference, folders)
-        missing += draw_fronts(axes[2], series, reference, folders)
+        missing = draw_deposit(axes[1], series, reference)
+        missing += draw_fronts(axes[2], series, reference)
         if missing:
-            figure.supxlabel("Measured data missing: " + ", ".join(missing) + " (the scene's README says what they "
+            figure.supxlabel("Missing: " + ", ".join(map(short, missing)) + " (the scene's README says what they "
                              "are and where they go)", fontsize=8, color="#a02020")
         save(figure, options.output or series.directory / "flume.png")
 

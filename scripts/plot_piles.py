@@ -34,8 +34,9 @@ def slope(series, directions):
 
 
 def friction_angle(series):
-    """[deg], from the resolved scene ("30 deg")."""
-    return float(str(series.scene["sand"]["friction_angle"]).split()[0])
+    """[deg], from the resolved scene, which may give it in either unit."""
+    value, unit = series.scene["sand"]["friction_angle"].split()
+    return float(value) if unit == "deg" else float(np.degrees(float(value)))
 
 
 def main():
