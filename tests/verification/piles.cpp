@@ -85,15 +85,15 @@ double flank(const Grid& grid, const std::vector<double>& depth, double directio
   return std::atan(-rh / rr) * 180.0 / pi;
 }
 
-/// Largest compact |grad h|/mu over cells whose neighbours are all deeper than 1 % of the spacing: at the toe, which
-/// may end in a film, the ground is part of the surface.
+/// Largest compact |grad h|/mu over cells whose neighbours are all deeper than a twentieth of what mu holds over a
+/// cell: at the toe, which may end in a film, the ground is part of the surface.
 double steepest_gradient(const Case& test, const std::vector<double>& depth) {
   double worst = 0.0;
   for (int j = 1; j + 1 < test.grid().cells[1]; ++j) {
     for (int i = 1; i + 1 < test.grid().cells[0]; ++i) {
       const double lowest = std::min({depth[test.index(i, j)], depth[test.index(i - 1, j)], depth[test.index(i + 1, j)],
                                       depth[test.index(i, j - 1)], depth[test.index(i, j + 1)]});
-      if (lowest <= 0.01 * test.grid().spacing) continue;
+      if (lowest <= 0.05 * test.initial.friction_coefficient[0] * test.grid().spacing) continue;
       const double gx = depth[test.index(i + 1, j)] - depth[test.index(i - 1, j)];
       const double gy = depth[test.index(i, j + 1)] - depth[test.index(i, j - 1)];
       worst = std::max(worst, std::hypot(gx, gy) / (2.0 * test.grid().spacing));
