@@ -34,8 +34,12 @@ Handle file_access(bool writable) {
   Handle access = property_list(H5P_FILE_ACCESS);
   // Closing the file closes what is open in it, so that nothing is left behind after an error.
   require(H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG), "set up the file's closing");
-  // Version 1.8 of the format: checksums on the metadata and long attributes, and everybody can read it.
-  require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V110), "set the version of the format");
+  // The oldest form of every part: its headers carry no checksum, which a run that is killed between two pages of a
+  // header would leave wrong. Everybody can read it.
+  require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V110), "set the version of the format");
+  // Blocks are put where there is room, so that FileReserve has a say in it.
+  require(H5Pset_small_data_block_size(access.id(), 0), "set up the file's layout");
+  require(H5Pset_meta_block_size(access.id(), 0), "set up the file's layout");
 #if H5_VERSION_GE(1, 10, 7)
   // Readers may look at a run that goes on. Some network file systems have no locks; the run must not fail for that.
   require(H5Pset_file_locking(access.id(), writable, true), "set up file locks");
@@ -136,7 +140,9 @@ Handle create_file(const std::filesystem::path& path) {
 Handle open_file(const std::filesystem::path& path, bool writable) {
   const Handle access = file_access(writable);
   const unsigned mode = writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY;
-  return Handle(H5Fopen(path.c_str(), mode, access.id()), H5Fclose, "open the file");
+  Handle file(H5Fopen(path.c_str(), mode, access.id()), H5Fclose, "open the file");
+  if (writable) require(H5Fincrement_filesize(file.id(), 0), "take the file at its length");
+  return file;
 }
 
 Handle open_dataset(hid_t file, const std::string& name) {

@@ -60,6 +60,8 @@ class Handle {
 
 /// Creates a file, replacing one that is there. Links and attributes keep the order in which they are made.
 Handle create_file(const std::filesystem::path& path);
+/// Opened to be written to, the file is taken to be as long as it is on the disk: a run that was killed may not have
+/// written its length.
 Handle open_file(const std::filesystem::path& path, bool writable);
 
 Handle open_dataset(hid_t file, const std::string& name);

@@ -48,7 +48,6 @@ void set_fill_value(hid_t properties, const Variable& variable, const Scene& sce
 Handle creation_properties(const Variable& variable, const Scene& scene) {
   const std::string tried = "set up " + variable.name;
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, tried);
-  require(H5Pset_attr_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), tried);
   set_fill_value(properties.id(), variable, scene);
   if (!variable.over_time() && !variable.over_grid()) return properties;
   const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
@@ -164,6 +163,30 @@ std::vector<hsize_t> chunk_extent(const Variable& variable, const Scene& scene) 
     room /= chunk[axis];
   }
   return chunk;
+}
+
+SeriesGrowth growth_of(const Scene& scene) {
+  SeriesGrowth growth;
+  for (const Variable& variable : series_layout(scene)) {
+    if (!variable.over_time()) continue;
+    const std::vector<hsize_t> size = initial_extent(variable, scene);
+    const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
+    auto bytes = static_cast<std::int64_t>(H5Tget_size(stored_type(variable, scene.numerics.precision)));
+    std::int64_t chunks = 1;
+    for (std::size_t axis = 0; axis < size.size(); ++axis) {
+      bytes *= static_cast<std::int64_t>(chunk[axis]);
+      if (axis > 0) chunks *= static_cast<std::int64_t>((size[axis] + chunk[axis] - 1) / chunk[axis]);
+    }
+    if (chunk.front() == 1) {
+      growth.field_bytes += chunks * bytes;
+      growth.field_chunks += chunks;
+      ++growth.field_count;
+    } else {
+      growth.number_bytes += chunks * bytes;
+      ++growth.number_count;
+    }
+  }
+  return growth;
 }
 
 void create_variables(hid_t file, const Scene& scene) {

@@ -1,6 +1,7 @@
 // Makes the data sets and attributes of a new series.h5. Internal to io/output.
 #pragma once
 
+#include "io/output/file_reserve.hpp"
 #include "io/output/hdf5.hpp"
 #include "io/output/series_layout.hpp"
 #include "io/output/series_writer.hpp"
@@ -15,6 +16,9 @@ std::vector<hsize_t> initial_extent(const Variable& variable, const Scene& scene
 
 /// Length of a chunk along each dimension: one frame, and no more than 256 KB in float32.
 std::vector<hsize_t> chunk_extent(const Variable& variable, const Scene& scene);
+
+/// What one frame adds to the file at most, uncompressed.
+SeriesGrowth growth_of(const Scene& scene);
 
 /// Creates the variables with their attributes and dimension scales.
 void create_variables(hid_t file, const Scene& scene);

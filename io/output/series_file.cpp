@@ -27,25 +27,6 @@ hid_t memory_type(const FieldValues& values) {
   return std::holds_alternative<std::vector<float>>(values) ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
 }
 
-/// More than the data: chunks are stored whole, and each costs an entry in an index.
-std::int64_t bytes_of_frame(const std::vector<Variable>& variables, const Scene& scene) {
-  std::int64_t bytes = 256 << 10;
-  for (const Variable& variable : variables) {
-    if (!variable.over_time()) continue;
-    const std::vector<hsize_t> size = initial_extent(variable, scene);
-    const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
-    std::int64_t chunk_bytes = 8;
-    std::int64_t chunks = 1;
-    for (std::size_t axis = 0; axis < size.size(); ++axis) {
-      chunk_bytes *= static_cast<std::int64_t>(chunk[axis]);
-      if (axis > 0) chunks *= static_cast<std::int64_t>((size[axis] + chunk[axis] - 1) / chunk[axis]);
-    }
-    if (variable.type == NumberType::real && scene.numerics.precision == Precision::float32) chunk_bytes /= 2;
-    bytes += chunks * (chunk_bytes + 256);
-  }
-  return bytes;
-}
-
 int descriptor_of(hid_t file) {
   void* descriptor = nullptr;
   require(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), "get the file's descriptor");
@@ -62,11 +43,11 @@ SeriesFile::SeriesFile(const std::filesystem::path& path, const Scene& scene, hd
       grid_{static_cast<hsize_t>(scene.grid.cells[1]), static_cast<hsize_t>(scene.grid.cells[0])},
       file_(std::move(file)) {
   const std::vector<Variable> layout = series_layout(scene);
-  frame_bytes_ = bytes_of_frame(layout, scene);
   for (const Variable& variable : layout) {
     variables_.push_back({variable, hdf5::open_dataset(file_.id(), variable.name)});
   }
   space_.emplace(descriptor_of(file_.id()), path);
+  reserve_.emplace(file_.id(), growth_of(scene));
 }
 
 SeriesFile SeriesFile::create(const std::filesystem::path& path, const Scene& scene, const SeriesSettings& settings) {
@@ -177,7 +158,8 @@ void SeriesFile::flush() const {
 
 void SeriesFile::append(Frame frame) {
   check(frame);
-  space_->claim(frame_bytes_);
+  if (reserve_->bytes_to_add() > 0) space_->claim(reserve_->bytes_to_add());
+  reserve_->prepare_frame();
   const auto frames = static_cast<hsize_t>(frames_ + 1);
   for (const OpenVariable& open : variables_) {
     if (open.variable.over_time() && open.variable.name != "time") extend(open, frames);
@@ -210,6 +192,7 @@ void SeriesFile::write_maxima(const FinalFields& fields) {
 
 void SeriesFile::close() {
   flush();
+  reserve_.reset();
   for (OpenVariable& open : variables_) open.dataset.close("close " + open.variable.name);
   file_.close("close the file");
   release_claimed_space(path_);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/output/disk_space.hpp"
+#include "io/output/file_reserve.hpp"
 #include "io/output/hdf5.hpp"
 #include "io/output/series_layout.hpp"
 #include "io/output/series_writer.hpp"
@@ -59,12 +60,12 @@ class SeriesFile {
   Output output_;
   bool exact_reference_ = false;
   std::size_t front_count_ = 0;
-  std::vector<hsize_t> grid_;     // ny, nx
-  std::int64_t frames_ = 0;       // written so far
-  std::int64_t frame_bytes_ = 0;  // upper bound of what one frame adds to the file
+  std::vector<hsize_t> grid_;  // ny, nx
+  std::int64_t frames_ = 0;    // written so far
   hdf5::Handle file_;
   std::vector<OpenVariable> variables_;
   std::optional<DiskSpace> space_;
+  std::optional<FileReserve> reserve_;
   std::vector<NamedField> last_fields_;  // of the frame written last
 };
 
