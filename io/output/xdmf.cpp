@@ -74,15 +74,16 @@ Layout layout_of(const SeriesReader& series, std::string file) {
   return layout;
 }
 
-/// A single sheet of cells in space: values belong to cells, the mesh is given by its nodes. The slowest index is z.
+/// One layer of box-shaped cells, since readers find no cells in a mesh without thickness. The mesh is given by its
+/// nodes, and the slowest index is z.
 std::string mesh(const Layout& l) {
   return fmt::format(
-      "        <Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"1 {} {}\"/>\n"
+      "        <Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"2 {} {}\"/>\n"
       "        <Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
       "          <DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">0 {} {}</DataItem>\n"
-      "          <DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">1 {} {}</DataItem>\n"
+      "          <DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">{} {} {}</DataItem>\n"
       "        </Geometry>\n",
-      l.ny + 1, l.nx + 1, l.origin_y, l.origin_x, l.spacing_y, l.spacing_x);
+      l.ny + 1, l.nx + 1, l.origin_y, l.origin_x, l.spacing_x, l.spacing_y, l.spacing_x);
 }
 
 /// One frame of a field. The slab has a leading 1: without it the values are silently wrong.
@@ -98,10 +99,11 @@ std::string field(const Layout& l, const StoredVariable& variable, std::size_t f
       variable.name, l.ny, l.nx, frame, variable.element_size, variable.extent.front(), escaped(l.file));
 }
 
+/// A map has the leading 1 as well, as if it were three-dimensional.
 std::string map(const Layout& l, const StoredVariable& variable) {
   return fmt::format(
       "        <Attribute Name=\"{0}\" AttributeType=\"Scalar\" Center=\"Cell\">\n"
-      "          <DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"{3}\" Dimensions=\"{1} {2}\">"
+      "          <DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"{3}\" Dimensions=\"1 {1} {2}\">"
       "{4}:/{0}</DataItem>\n"
       "        </Attribute>\n",
       variable.name, l.ny, l.nx, variable.element_size, escaped(l.file));

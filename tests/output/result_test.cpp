@@ -100,7 +100,8 @@ TEST_CASE("The XDMF file describes every completed frame with a leading one in i
   CHECK(count_of(text, "Name=\"velocity_y\"") == 2);
   CHECK(contains(text, "<DataItem Format=\"XML\" Dimensions=\"3 3\">1 0 0 1 1 1 1 3 4</DataItem>"));
   CHECK(contains(text, "Dimensions=\"2 3 4\">series.h5.partial:/depth"));
-  CHECK(contains(text, "Dimensions=\"1 4 5\""));
+  CHECK(contains(text, "Dimensions=\"2 4 5\""));
+  CHECK(contains(text, "Dimensions=\"1 3 4\">series.h5.partial:/bed"));
 }
 
 TEST_CASE("There is no XDMF file without fields or frames") {

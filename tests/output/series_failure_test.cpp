@@ -67,7 +67,7 @@ TEST_CASE("The limit on the size of a file stops the run at the frame that does 
 
   const int code = run_in_child([&] {
     ::signal(SIGXFSZ, SIG_IGN);
-    const struct rlimit limit { 4 << 20, 4 << 20 };
+    const struct rlimit limit { 12 << 20, 12 << 20 };
     ::setrlimit(RLIMIT_FSIZE, &limit);
     return write_until_full(directory / "series.h5", scene);
   });
