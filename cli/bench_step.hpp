@@ -23,8 +23,8 @@ std::vector<StepCase> step_cases(const std::vector<Precision>& precisions);
 /// E.g. "balanced order 2".
 std::string scheme_name(const StepCase& which);
 
-/// [B] a cell and step that no implementation in one pass avoids: depth and two momenta, read and written, and a word
-/// for the largest wave speed (28 in float32); the bed is read where the terrain is not flat.
+/// [B] a cell and step of the floor that the project judges by: 28 in float32, which is depth and two momenta, read and
+/// written, and one word more; the bed is read where the terrain is not flat.
 double floor_bytes(const StepCase& which);
 
 struct StepSpeed {

@@ -32,7 +32,8 @@ void fill(float* values, std::ptrdiff_t count, float value, int threads) {
 
 std::size_t copy_array_bytes(bool quick) {
   const std::size_t floor_bytes = std::size_t{quick ? 64u : 256u} << 20;
-  return std::max(floor_bytes, 4 * last_level_cache());
+  const std::size_t most_bytes = std::size_t{1} << 30;
+  return std::clamp(4 * last_level_cache(), floor_bytes, most_bytes);
 }
 
 Measurement measure_copy_bandwidth(std::size_t array_bytes, int threads, int repeats) {

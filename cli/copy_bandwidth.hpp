@@ -8,7 +8,7 @@
 namespace sandsim::cli {
 
 /// Bytes of each of the two arrays: at least four times the last-level cache, so that little of a pass is still in it
-/// at the next one.
+/// at the next one, and at most 1 GiB.
 std::size_t copy_array_bytes(bool quick);
 
 /// [B/s] read + written, copying one array of `array_bytes` to another with `threads` threads and ordinary stores.

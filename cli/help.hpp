@@ -38,7 +38,7 @@ Examples:
   sandsim run scenes/flume/scene.yaml
   sandsim run scene.yaml -o results/fine --set 'grid.spacing=5 mm' --set 'grid.cells=[320, 1]'
   sandsim run scene.yaml --precision float64 --threads 4 -v
-  sandsim run scene.yaml --max-wall 08:00:00        and later, to go on:
+  sandsim run scene.yaml --max-wall 08:00:00        each time for eight hours; to go on:
   sandsim run scene.yaml --max-wall 08:00:00 --resume
   sandsim run scene.yaml --json -q > report.json
 
@@ -76,8 +76,8 @@ inline constexpr const char* bench = R"(Three measurements:
     non-temporal) stores, bytes counted as read + written;
   - the speed of the step on SIZE x SIZE cells that all move, periodic, on flat and on wavy terrain, for the
     paper scheme and the balanced scheme of order 1 and 2. The floor is the time to copy 28 bytes a cell in
-    float32, 56 in float64 (three fields and their largest wave speed in, three out), and the bed's 4 or 8
-    more where the terrain is not flat;
+    float32, 56 in float64, and the bed's 4 or 8 more where the terrain is not flat. 'bytes a cell' is what
+    the step itself counts: depth and two momenta, read and written, and the bed;
   - the time from the start of a run to its first step.
 Numbers are medians of the repeats, with the range from the slowest to the fastest.
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "cli/text.hpp"
 
@@ -58,19 +59,30 @@ std::string volume_line(const Ledger& ledger) {
   return line("volume", text);
 }
 
-std::string front_text(const ErrorReport::Front& front) {
-  std::string text = front.depth == 0.0 ? std::string("tip") : fmt::format("front at {:.4g} m deep", front.depth);
-  text += std::isfinite(front.computed) ? fmt::format(" {:.5g} m", front.computed) : " none";
-  if (front.reference) {
-    text += fmt::format(" (reference {:.5g} m, {:+.2g} m)", *front.reference, front.computed - *front.reference);
-  }
-  return text;
+std::string front_name(const ErrorReport::Front& front) {
+  return front.depth == 0.0 ? std::string("tip") : fmt::format("{:.4g} m deep", front.depth);
 }
 
-std::string error_lines(const ErrorReport& error) {
+/// Every reference repeats the computed fronts: they are shown once.
+std::string front_line(const std::vector<ErrorReport>& errors) {
+  std::map<double, std::string> fronts;
+  for (const ErrorReport& error : errors) {
+    for (const ErrorReport::Front& front : error.fronts) {
+      const std::string where = std::isfinite(front.computed) ? fmt::format("{:.5g} m", front.computed) : "nowhere";
+      fronts.emplace(front.depth, fmt::format("{} at {}", front_name(front), where));
+    }
+  }
+  std::vector<std::string> parts;
+  for (const auto& [depth, text] : fronts) {
+    parts.push_back(text);
+  }
+  return parts.empty() ? "" : line("fronts", join(", ", parts));
+}
+
+std::string error_line(const ErrorReport& error) {
   std::vector<std::string> parts;
   if (error.l1_relative) {
-    parts.push_back(fmt::format("L1 {:.3g} % of the depth", 100.0 * *error.l1_relative));
+    parts.push_back(fmt::format("L1 {:.3g} %", 100.0 * *error.l1_relative));
   } else if (error.l1) {
     parts.push_back(fmt::format("L1 {:.3g} m^2", *error.l1));
   }
@@ -78,13 +90,15 @@ std::string error_lines(const ErrorReport& error) {
     parts.push_back(fmt::format("largest {:.3g} m", *error.linf));
   }
   for (const ErrorReport::Front& front : error.fronts) {
-    parts.push_back(front_text(front));
+    if (front.reference) {
+      const double difference = front.computed - *front.reference;
+      parts.push_back(fmt::format("{} {:+.3g} m off {:.5g} m", front_name(front), difference, *front.reference));
+    }
   }
   if (!error.note.empty()) {
     parts.push_back(error.note);
   }
-  const std::string against = error.against.empty() ? "" : fmt::format("{} at {:.4g} s: ", error.against, error.time);
-  return line(error.against.empty() ? "fronts" : "against", against + join("; ", parts));
+  return parts.empty() ? "" : line("error", fmt::format("against {}: {}", error.against, join("; ", parts)));
 }
 
 }  // namespace
@@ -101,8 +115,9 @@ std::string run_summary(const Scene& scene, const RunReport& report, const std::
                            ? fmt::format("steepest face {:.1e} above what friction holds", report.max_slope_violation)
                            : std::string("no face is steeper than friction holds"));
   }
+  text += front_line(report.errors);
   for (const ErrorReport& error : report.errors) {
-    text += error_lines(error);
+    text += error_line(error);
   }
   text += line("files", files);
   return text;
