@@ -42,7 +42,7 @@ SANDSIM_HD R constant(double value) {
 /// yes where the mask is set, else no.
 template <class M, class R>
 SANDSIM_HD R select(M mask, R yes, R no) {
-  if constexpr (std::is_same_v<M, bool>) {
+  if constexpr (std::is_integral_v<M>) {
     return mask ? yes : no;
   } else {
     where(mask, no) = yes;

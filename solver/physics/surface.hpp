@@ -7,11 +7,14 @@
 
 namespace sandsim::physics {
 
+template <class R>
+inline constexpr Scalar<R> unit_rounding = std::numeric_limits<Scalar<R>>::epsilon();
+
 /// s_right - s_left, computed from differences, and 0 below the level of rounding (so that a lake is flat).
 template <class R>
 SANDSIM_HD R surface_difference(R h_left, R h_right, R b_left, R b_right) {
   const R difference = (h_right - h_left) + (b_right - b_left);
-  const R noise = R(2 * std::numeric_limits<Scalar<R>>::epsilon()) * (h_left + h_right);
+  const R noise = R(2 * unit_rounding<R>) * (h_left + h_right);
   return select(absolute(difference) <= noise, R(0), difference);
 }
 
