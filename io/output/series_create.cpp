@@ -33,14 +33,14 @@ hsize_t length_of(Dimension dimension, const Scene& scene) {
 }
 
 /// Numbers that were never written read as NaN or -1, so that a hole in the file does not look like dry ground.
-void set_fill_value(hid_t properties, const Variable& variable, const Scene& scene) {
+void set_fill_value(hid_t properties, const Variable& variable) {
   const std::string tried = "set the fill value of " + variable.name;
   if (variable.type == NumberType::int64) {
     const std::int64_t none = -1;
     require(H5Pset_fill_value(properties, H5T_NATIVE_INT64, &none), tried);
   } else if (variable.type != NumberType::text) {
-    // A flat bed is never written: its elevation is the fill value, and costs nothing.
-    const double fill = variable.name == "bed" ? flat_elevation(scene) : not_a_number;
+    // A flat bed is never written: it reads as zero and costs nothing.
+    const double fill = variable.name == "bed" ? 0.0 : not_a_number;
     require(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &fill), tried);
   }
 }
@@ -48,7 +48,7 @@ void set_fill_value(hid_t properties, const Variable& variable, const Scene& sce
 Handle creation_properties(const Variable& variable, const Scene& scene) {
   const std::string tried = "set up " + variable.name;
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, tried);
-  set_fill_value(properties.id(), variable, scene);
+  set_fill_value(properties.id(), variable);
   if (!variable.over_time() && !variable.over_grid()) return properties;
   const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
   require(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), tried);

@@ -99,12 +99,4 @@ std::vector<Variable> series_layout(const Scene& scene) {
   return variables;
 }
 
-double flat_elevation(const Scene& scene) {
-  double elevation = 0.0;
-  for (const TerrainPart& part : scene.terrain) {
-    if (const auto* flat = std::get_if<FlatTerrain>(&part)) elevation += flat->elevation;
-  }
-  return elevation;
-}
-
 }  // namespace sandsim

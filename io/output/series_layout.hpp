@@ -32,7 +32,4 @@ std::string name_of(Dimension dimension);
 /// The map of the largest speed is `max_speed_over_time`, since `max_speed` is the largest speed of each frame.
 std::vector<Variable> series_layout(const Scene& scene);
 
-/// Elevation of a terrain without relief, which the solver leaves out: the sum of its flat parts. [m]
-double flat_elevation(const Scene& scene);
-
 }  // namespace sandsim
