@@ -21,7 +21,8 @@ class ShippedScenes(unittest.TestCase):
         validator = jsonschema.Draft7Validator(json.loads((ROOT / "scenes/scene.schema.json").read_text()))
         for scene in SCENES:
             with self.subTest(scene=scene.relative_to(ROOT)):
-                self.assertEqual([error.message for error in validator.iter_errors(yaml.safe_load(scene.read_text()))], [])
+                problems = validator.iter_errors(yaml.safe_load(scene.read_text()))
+                self.assertEqual([problem.message for problem in problems], [])
 
     def test_every_scene_passes_sandsim_check(self):
         for scene in SCENES:

@@ -12,7 +12,7 @@ MARKERS = {"float32": ("o-", {}), "float64": ("o:", {"mfc": "w"})}
 def draw(rows, path):
     policies = list(dict.fromkeys(row["hbar"] for row in rows))
     schemes = list(dict.fromkeys(row["scheme"] for row in rows))
-    figure, axes = plt.subplots(1, len(policies), figsize=(6 * len(policies), 4.6), sharey=True, squeeze=False)
+    figure, axes = plt.subplots(1, len(policies), figsize=(5.4 * len(policies) + 2, 4.6), sharey=True, squeeze=False)
     figure.suptitle("Flume deposit: error against run time, spacing 4 cm to 1.25 mm")
     for panel, policy in zip(axes[0], policies):
         for colour, scheme in zip(COLOURS, schemes):
@@ -24,7 +24,7 @@ def draw(rows, path):
         panel.axhline(1e-2, color="0.6", lw=0.8)
         panel.set(title=f"hbar = {policy}", xlabel="time of the solver, one thread [s]")
     axes[0][0].set_ylabel("relative L1 error of the deposit [-]")
-    axes[0][-1].legend()
+    axes[0][-1].legend(loc="upper left", bbox_to_anchor=(1.02, 1))
     save(figure, path)
 
 

@@ -7,7 +7,7 @@ from plotting import ROOT, arguments, plt, run, save, show_field
 from sandsim_series import Series
 
 LAYERS = (10, 20, 40)                  # hbar [cells]
-MOMENT = 0.15                          # [s] at which the fields are drawn
+MOMENT = 0.16                          # [s] at which the fields are drawn
 FRONT_DEPTH = 0.005                    # [m] sand deeper than this counts for the front
 
 

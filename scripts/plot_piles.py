@@ -61,7 +61,8 @@ def main():
             axis, diagonal = slope(series, (0, 90)), slope(series, (45, 135))
             rows.append((expected, axis, diagonal, float(series.depth(-1).max())))
             show_field(top[index], series, -1)
-            top[index].set_title(f"{series.title}\nstands at {axis:.1f}° (axis), {diagonal:.1f}° (diagonal)", fontsize=8)
+            top[index].set_title(f"{series.title}\nstands at {axis:.1f}° (axis), {diagonal:.1f}° (diagonal)",
+                                 fontsize=8)
             r, h = flank(series, (0, 90))
             profiles.plot(r, h, color=f"C{index}", label=f"{series.title}: axis")
             profiles.plot(*flank(series, (45, 135)), ":", color=f"C{index}", label="diagonal")
