@@ -22,6 +22,8 @@ std::string status_line(const Scene& scene, const RunReport& report) {
         fmt::format("{}everything still since {:.6g} s", report.status == "at rest" ? ": " : ", ", report.stop_time);
   } else if (report.exit_code == ExitCode::done) {
     text += ", still moving";
+  } else if (report.exit_code == ExitCode::interrupted || report.exit_code == ExitCode::wall_clock_limit) {
+    text += ", to be resumed";
   } else if (!report.message.empty()) {
     text += ": " + report.message;
   }

@@ -160,7 +160,7 @@ TEST_CASE("a run that is killed leaves frames that can be read") {
 TEST_CASE("a full disk exits 6 and leaves no series that looks whole") {
   const Workplace place(endless_scene());
   const auto limit = [] {
-    const rlimit bytes{400'000, 400'000};
+    const rlimit bytes{3'000'000, 3'000'000};
     setrlimit(RLIMIT_FSIZE, &bytes);
   };
   const Outcome outcome = Process(place.arguments(place.results), place.folder.path(), limit).wait();

@@ -137,7 +137,7 @@ numerics: {scheme: balanced, order: 2, precision: float32}
 
 namespace {
 
-std::string column_scene(const std::string& end, const std::string& frame_interval) {
+std::string column_scene(const std::string& end) {
   return R"(title: Column in small steps
 grid: {cells: [48, 48], spacing: 1 cm}
 terrain: {type: plane, inclination: 5 deg}
@@ -145,8 +145,10 @@ sand:
   friction_angle: 25 deg
   hbar: {policy: truncated, scale: 0.8, cap: 5 cm}
   initial: {type: column, center: [20 cm, 24 cm], radius: 10 cm, depth: 20 cm}
+  sources: [{center: [20 cm, 10 cm], radius: 3 cm, rate: 1 cm^3/s, end: )" +
+         end + R"(}]
 time: {mode: adaptive, courant: 0.02, end: )" +
-         end + ", frame_interval: " + frame_interval + R"(}
+         end + R"(, frame_interval: 10 ms}
 output: {fields: [depth, velocity], maxima: true, probes: [{name: foot, at: [35 cm, 24 cm]}]}
 )";
 }
@@ -154,11 +156,11 @@ output: {fields: [depth, velocity], maxima: true, probes: [{name: foot, at: [35 
 }  // namespace
 
 std::string long_scene() {
-  return column_scene("500 ms", "10 ms");
+  return column_scene("500 ms");
 }
 
 std::string endless_scene() {
-  return column_scene("1000 s", "10 ms");
+  return column_scene("1000 s");
 }
 
 }  // namespace sandsim::test
