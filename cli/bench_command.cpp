@@ -85,7 +85,7 @@ void print_row(std::ostream& out, const StepRow& row) {
 }
 
 void print_start(std::ostream& out, const StartRow& row) {
-  out << fmt::format("start to first step, {} x {} cells: {} ({} to {})\n", row.columns, row.rows,
+  out << fmt::format("solver start to first step, {} x {} cells: {} ({} to {})\n", row.columns, row.rows,
                      format_duration(row.seconds.median), format_duration(row.seconds.least),
                      format_duration(row.seconds.most));
 }

@@ -78,7 +78,8 @@ inline constexpr const char* bench = R"(Three measurements:
     paper scheme and the balanced scheme of order 1 and 2. The floor is the time to copy 28 bytes a cell in
     float32, 56 in float64, and the bed's 4 or 8 more where the terrain is not flat. 'bytes a cell' is what
     the step itself counts: depth and two momenta, read and written, and the bed;
-  - the time from the start of a run to its first step.
+  - the time the solver needs from a scene in memory to the first step, without output (log.txt of a run says
+    how long it took from the command, reading and files included).
 Numbers are medians of the repeats, with the range from the slowest to the fastest.
 
 Examples:

@@ -1,6 +1,7 @@
 // What the command line says, as plain values: filled in by app.cpp, read by the commands.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct RunArguments {
   bool json = false;
   bool quiet = false;
   bool verbose = false;
-  std::string command_line;  // all of it, for the record
+  std::string command_line;                                                        // all of it, for the record
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();  // of the command
 };
 
 struct CheckArguments {

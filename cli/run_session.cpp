@@ -117,6 +117,11 @@ void RunSession::save(const Checkpoint& checkpoint, AsyncSink& sink) {
 
 void RunSession::log_progress(const Progress& progress) {
   const auto now = std::chrono::steady_clock::now();
+  if (!stepped_) {
+    stepped_ = true;
+    say(fmt::format("first step done {} after the start",
+                    format_duration(std::chrono::duration<double>(now - arguments_.begin).count())));
+  }
   if (now >= next_log_) {
     next_log_ = now + log_interval;
     log_.info(fmt::format("{:.6g} s of {:.6g} s, step {} of {}, {}", progress.time, progress.end, progress.steps,

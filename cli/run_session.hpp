@@ -58,6 +58,7 @@ class RunSession {
   RunLog log_;
   SignalGuard signals_;
   bool checkpoint_written_ = false;
+  bool stepped_ = false;
   std::chrono::steady_clock::time_point next_log_;
 };
 

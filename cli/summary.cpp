@@ -34,10 +34,10 @@ std::string status_line(const Scene& scene, const RunReport& report) {
 }
 
 std::string time_lines(const Scene& scene, const RunReport& report) {
-  std::string text =
-      line("simulated", fmt::format("{:.6g} s of {:.6g} s in {} steps of {} to {}; {} frames", report.simulated_time,
-                                    scene.time.end, format_count(report.steps), format_duration(report.dt_min),
-                                    format_duration(report.dt_max), format_count(report.frames)));
+  std::string text = line("simulated", fmt::format("{:.6g} s of {:.6g} s in {} steps of {} to {}; {} frame{}",
+                                                   report.simulated_time, scene.time.end, format_count(report.steps),
+                                                   format_duration(report.dt_min), format_duration(report.dt_max),
+                                                   format_count(report.frames), report.frames == 1 ? "" : "s"));
   const std::string order = scene.numerics.scheme == Scheme::balanced ? fmt::format(" order {}", report.order) : "";
   text += line("run", fmt::format("{}, {}; {} with {} thread{}, {}, {}{}", format_duration(report.wall_time),
                                   format_rate(report.cell_steps_per_second), report.device, report.threads,

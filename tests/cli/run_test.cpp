@@ -153,6 +153,19 @@ TEST_CASE("a failure with json is a report too") {
   CHECK(contains(outcome.out, "\"status\": \"failed\""));
 }
 
+TEST_CASE("a numerical failure exits 5 and keeps the last good frame") {
+  const Workplace place(small_scene());
+  const Outcome outcome =
+      place.run({"--set", "time.mode=fixed", "--set", "time.step=20 ms", "--set", "time.frame_interval=20 ms"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 5);
+  CHECK(contains(outcome.err, "stability bound"));
+  CHECK(contains(outcome.out, "failed"));
+  CHECK(contains(read_text(place.results / "run.json"), "\"exit_code\": 5"));
+  CHECK_FALSE(fs::exists(place.results / "series.h5"));
+  CHECK(call({"info", place.results.string()}).code == 0);
+}
+
 TEST_CASE("a missing scene exits 3") {
   const Outcome outcome = call({"run", "/nowhere/scene.yaml"});
   CHECK(outcome.code == 3);
