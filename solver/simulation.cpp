@@ -68,7 +68,7 @@ class Run {
   void frame();
   Next look_up();
   void save_checkpoint();
-  void fail(Incident incident, const std::string& message);
+  void fail(Incident incident, const std::string& problem, const std::string& suggestion = "");
   void finish();
   StageReport* stage(const std::string& name);
   double wall() const { return wall_before_ + seconds_since(start_); }
@@ -86,6 +86,7 @@ class Run {
   RunReport report_;
   StageReport *steps_ = nullptr, *sources_ = nullptr, *maxima_ = nullptr, *frames_ = nullptr;  // in report_
   double time_ = 0.0;
+  double target_ = 0.0;  // [s] where the steps land next
   double wall_before_ = 0.0;
   double last_checkpoint_ = 0.0;
   double frame_step_min_ = 0.0, frame_step_max_ = 0.0;
@@ -223,8 +224,6 @@ Run::Next Run::advance_to(double due) {
     bool limited = false;
     const double dt = choose_step(due, bound, limited);
     step(dt, bound, limited);
-    // A step that ends on the frame ends there exactly.
-    time_ = due - time_ <= 1e-9 * dt ? due : time_;
     if (report_.failure || look_up() == Next::stop) {
       return Next::stop;
     }
@@ -232,25 +231,24 @@ Run::Next Run::advance_to(double due) {
   return Next::go_on;
 }
 
+/// The next step's length. `target_` is where the steps have to land next: on the frame, or at the end of the running
+/// fixed step.
 double Run::choose_step(double due, double bound, bool& limited) {
-  const double remaining = due - time_;
-  double target = remaining;
+  target_ = due;
+  const double whole = scene_.time.step;
   if (scene_.time.mode == TimeMode::fixed) {
-    const double step = scene_.time.step;
-    // Where in the running step of fixed length we are: only sub-cycles stop inside one.
-    const double done = std::fmod(time_ + 1e-9 * step, step);
-    target = std::min(remaining, done < 2e-9 * step ? step : step - done);
-    target = std::fabs(target - step) < 1e-6 * step ? step : target;
-    if (target <= bound * (1.0 + 1e-6)) {
-      return target;
-    }
+    const double end = (std::floor(time_ / whole + 1e-6) + 1.0) * whole;
+    target_ = end > due - 1e-6 * whole ? due : end;
+  }
+  const double remaining = target_ - time_;
+  const bool fits = scene_.time.mode == TimeMode::fixed && std::fabs(remaining - whole) < 1e-6 * whole;
+  const double dt = fits ? whole : remaining;  // the same bits in every fixed step
+  limited = bound * (1.0 + 1e-6) < dt;
+  if (!limited) {
+    return dt;
   }
   // The last steps before the target are made even, so that none is tiny.
-  limited = bound < target;
-  if (!limited) {
-    return target;
-  }
-  return 2.0 * bound > target ? 0.5 * target : bound;
+  return 2.0 * bound > dt ? 0.5 * dt : bound;
 }
 
 /// A fixed step must keep to the bound unless it may be divided; an adaptive one must not collapse.
@@ -267,8 +265,10 @@ bool Run::step_is_sound(double bound) {
   incident.i = limit.i, incident.j = limit.j, incident.time = time_, incident.step = bound;
   if (too_long) {
     incident.cause = "the fixed step breaks the stability bound";
-    fail(incident, "time.step = " + std::to_string(scene_.time.step) + " s is longer than the stability bound of " +
-                       std::to_string(bound) + " s. Shorten time.step, or set time.subcycle: true?");
+    fail(incident,
+         "time.step = " + std::to_string(scene_.time.step) + " s is longer than the stability bound of " +
+             std::to_string(bound) + " s",
+         "Shorten time.step, or set time.subcycle: true?");
   } else {
     incident.cause = "the time step collapsed";
     fail(incident, "the stable step of " + std::to_string(bound) + " s is below time.minimum_step");
@@ -290,7 +290,7 @@ void Run::step(double dt, double bound, bool limited) {
     note_step(dt, limited);
   }
   rain(dt);
-  time_ += dt;
+  time_ = limited ? time_ + dt : target_;
   report_.steps += 1;
   frame_step_min_ = frame_step_min_ == 0.0 ? dt : std::min(frame_step_min_, dt);
   frame_step_max_ = std::max(frame_step_max_, dt);
@@ -390,6 +390,9 @@ void Run::frame() {
 
 /// Between steps: progress, interrupts, limits, checkpoints.
 Run::Next Run::look_up() {
+  if (report_.at_rest) {
+    return Next::go_on;  // nothing is left to interrupt
+  }
   const double now = seconds_since(start_);
   if (options_.progress) {
     const double solving = steps_->seconds;
@@ -421,15 +424,16 @@ void Run::save_checkpoint() {
   last_checkpoint_ = seconds_since(start_);
 }
 
-void Run::fail(Incident incident, const std::string& message) {
+void Run::fail(Incident incident, const std::string& problem, const std::string& suggestion) {
   report_.status = "failed";
   report_.exit_code = ExitCode::numerical_failure;
-  report_.message = message + ": t = " + std::to_string(incident.time) + " s";
+  report_.message = problem + ", at t = " + std::to_string(incident.time) + " s";
   if (incident.i >= 0) {
-    report_.message += ", cell (" + std::to_string(incident.i) + ", " + std::to_string(incident.j) +
+    report_.message += " in cell (" + std::to_string(incident.i) + ", " + std::to_string(incident.j) +
                        ") at x = " + std::to_string(scene_.grid.x(incident.i)) +
                        " m, y = " + std::to_string(scene_.grid.y(incident.j)) + " m";
   }
+  report_.message += suggestion.empty() ? "" : ". " + suggestion;
   report_.failure = std::move(incident);
 }
 

@@ -18,7 +18,8 @@ struct CellCore {
   R sh_x, ss_x, sh_y, ss_y, dh, G;
 };
 
-template <bool OneD, class R>
+/// The friction of order 2 in two dimensions acts along the mean direction of the step; order 1 along the new one.
+template <int Order, bool OneD, class R>
 SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, const FaceFlux<R>& west,
                                     const FaceFlux<R>& east, const FaceFlux<R>& south, const FaceFlux<R>& north,
                                     const Material<R>& m, const StepParameters<R>& p) {
@@ -55,10 +56,15 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
 
   R hu = old.hu - k * (flow_x + push_x), hv = old.hv - k * (flow_y + push_y);
   const R grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
-  const R size = OneD ? absolute(hu) : length(hu, hv);
-  const R factor = select(size <= grip, zero, select(grip > zero, 1 - grip / size, R(1)));
-  hu = hu * factor;
-  hv = hv * factor;
+  if constexpr (Order == 2 && !OneD) {
+    const Slowed<R> slowed = slow_down_turning(hu, hv, old.hu, old.hv, grip);
+    hu = slowed.x;
+    hv = slowed.y;
+  } else {
+    const R factor = friction_factor(OneD ? absolute(hu) : length(hu, hv), grip);
+    hu = hu * factor;
+    hv = hv * factor;
+  }
 
   // No more than one cell a step; acts only when a fixed step breaks the bound.
   const R fastest = h_new * p.dx / p.dt, size_new = OneD ? absolute(hu) : length(hu, hv);

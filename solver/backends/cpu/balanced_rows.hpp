@@ -33,7 +33,7 @@ class BalancedRows {
   BalancedRows(const StepFields<R>& fields, const physics::StepParameters<R>& parameters)
       : f_(fields), p_(parameters) {}
 
-  /// Steps a tile. Returns the flags of its cells; notes the mass through open sides in `flow`.
+  /// Steps a tile. Returns the flags of its cells; passes the fluxes of open sides through `flow`.
   int step(const Tile& t, Scratch<R>& scratch, const SideFlow& flow) const;
 
   /// Largest speed that bounds the step, over columns [i0, i1) of row j of the new state.
@@ -259,8 +259,8 @@ int BalancedRows<R, Order, Flat, Uniform, OneD>::update_row(int j, int first, in
       below = lower.at(i), above = upper.at(i);
     }
     const physics::State<V> old{load(h, i), load(hu, i), load(hv, i)};
-    const auto s = physics::balanced_update<OneD>(old, core, x.at(i), x.at(i + 1), below, above,
-                                                  material_at<Uniform>(material, mu, alpha, cap, i), p);
+    const auto s = physics::balanced_update<Order, OneD>(old, core, x.at(i), x.at(i + 1), below, above,
+                                                         material_at<Uniform>(material, mu, alpha, cap, i), p);
     watch.see(first_lanes<R>(last - i), old.h, old.hu, old.hv, s.h, s.hu, s.hv);
     store(h_new, i, s.h), store(hu_new, i, s.hu), store(hv_new, i, s.hv);
   }
@@ -284,7 +284,7 @@ int BalancedRows<R, Order, Flat, Uniform, OneD>::step(const Tile& t, Scratch<R>&
   const auto along = [&](int j, const VelocityRow& w) {
     const Side side = side_along(j, w, cell);
     faces(side, 1, side, t.i0, t.i1 + 1, rows.along);
-    flow.note_columns(t, j, rows.along.mass);
+    flow.pass_columns(t, j, rows.along);
   };
   if constexpr (OneD) {
     velocity(t.j0, present);
@@ -294,7 +294,7 @@ int BalancedRows<R, Order, Flat, Uniform, OneD>::step(const Tile& t, Scratch<R>&
   } else {
     const auto between = [&](int j) {  // the faces between rows j - 1 and j
       faces(side_between(j - 1, before, cell), 0, side_between(j, present, cell_ahead), t.i0, t.i1, above);
-      flow.note_rows(t, j, above.mass);
+      flow.pass_rows(t, j, above);
     };
     velocity(t.j0 - 2, present);
     velocity(t.j0 - 1, ahead);

@@ -205,8 +205,18 @@ physics::StepParameters<R_of<Rows>> CpuBackend<Rows, Make>::parameters(R dt) con
 
 template <class Rows, class Make>
 Diagnosed<R_of<Rows>> CpuBackend<Rows, Make>::diagnosed() const {
-  return {nx(),        ny(),       parameters(R(0)), h_[current_].view(), hu_[current_].view(), hv_[current_].view(),
-          bed_.view(), mu_.view(), material_,        Rows::flat,          Rows::uniform};
+  return {nx(),
+          ny(),
+          config_.grid.spacing,
+          parameters(R(0)),
+          h_[current_].view(),
+          hu_[current_].view(),
+          hv_[current_].view(),
+          bed_.view(),
+          mu_.view(),
+          material_,
+          Rows::flat,
+          Rows::uniform};
 }
 
 template <class Rows, class Make>
@@ -310,7 +320,7 @@ double CpuBackend<Rows, Make>::outflow(double dt) const {
     for (const double flux : side_mass_[side]) {
       sum += flux;
     }
-    mass += side % 2 == 0 ? -sum : sum;
+    mass += sum;
   }
   return mass * static_cast<double>(static_cast<R>(dt)) * config_.grid.spacing;
 }

@@ -21,6 +21,7 @@ namespace sandsim::cpu {
 template <class R>
 struct Diagnosed {
   int nx, ny;
+  double spacing;  // [m] the scene's, for sums in float64
   physics::StepParameters<R> parameters;
   FieldView<R> h, hu, hv, bed, mu;
   physics::Material<R> material;
@@ -96,7 +97,7 @@ GridStatistics grid_statistics(const Diagnosed<R>& d, int threads) {
     }
   }
   GridStatistics sum;
-  const double area = static_cast<double>(d.parameters.dx) * static_cast<double>(d.parameters.dx);
+  const double area = d.spacing * d.spacing;
   for (const GridStatistics& row : rows) {
     sum.volume += row.volume * area;
     sum.kinetic_energy += row.kinetic_energy * area;

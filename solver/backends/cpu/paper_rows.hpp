@@ -31,7 +31,7 @@ class PaperRows {
             const physics::PaperSwitches<V>& switches, bool desingularised, R courant)
       : f_(fields), p_(parameters), switches_(switches), desingularised_(desingularised), courant_(courant) {}
 
-  /// Steps a tile. Returns the flags of its cells; notes the mass through open sides in `flow`.
+  /// Steps a tile. Returns the flags of its cells; passes the fluxes of open sides through `flow`.
   int step(const Tile& t, Scratch<R>& scratch, const SideFlow& flow) const;
 
   /// Largest speed that bounds the step, over columns [i0, i1) of row j of the new state.
@@ -147,7 +147,7 @@ int PaperRows<R, Flat, Uniform, OneD>::step(const Tile& t, Scratch<R>& scratch, 
   const auto sweep_x = [&](int j) {
     const Side side{f_.h.row(j), present.u, present.v};
     faces(side, 1, side, t.i0, t.i1 + 1, along);
-    flow.note_columns(t, j, along.mass);
+    flow.pass_columns(t, j, along);
   };
   if constexpr (OneD) {
     velocities(t.j0, present);
@@ -156,7 +156,7 @@ int PaperRows<R, Flat, Uniform, OneD>::step(const Tile& t, Scratch<R>& scratch, 
   } else {
     const auto sweep_y = [&](int j) {  // the faces between rows j - 1 and j
       faces({f_.h.row(j - 1), present.v, present.u}, 0, {f_.h.row(j), ahead.v, ahead.u}, t.i0, t.i1, above);
-      flow.note_rows(t, j, above.mass);
+      flow.pass_rows(t, j, above);
     };
     velocities(t.j0 - 1, present);
     velocities(t.j0, ahead);

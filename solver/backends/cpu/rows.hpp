@@ -30,28 +30,40 @@ struct Tile {
 enum StepFlag : int { moving = 1, changed = 2, broken = 4 };
 
 /// Mass fluxes [m^2/s] through the faces of open sides, one value a face; a closed side's pointer is null. They are
-/// summed after the step, in the order of rows and columns.
+/// summed after the step, in the order of rows and columns. Sand leaves through an open side and none enters: a flux
+/// inwards is taken out.
 struct SideFlow {
   double *x_min = nullptr, *x_max = nullptr, *y_min = nullptr, *y_max = nullptr;
   int nx = 0, ny = 0;
 
-  template <class R>
-  void note_columns(const Tile& t, int j, const R* mass) const {
+  /// The faces along row j of a tile.
+  template <class FluxRow>
+  void pass_columns(const Tile& t, int j, const FluxRow& faces) const {
     if (x_min != nullptr && t.i0 == 0) {
-      x_min[j] = static_cast<double>(mass[0]);
+      x_min[j] = -pass(faces, 0, false);
     }
     if (x_max != nullptr && t.i1 == nx) {
-      x_max[j] = static_cast<double>(mass[nx]);
+      x_max[j] = pass(faces, nx, true);
     }
   }
-  template <class R>
-  void note_rows(const Tile& t, int j, const R* mass) const {
-    double* side = j == 0 ? y_min : (j == ny ? y_max : nullptr);
-    if (side != nullptr) {
-      for (int i = t.i0; i < t.i1; ++i) {
-        side[i] = static_cast<double>(mass[i]);
-      }
+  /// The faces between rows j - 1 and j of a tile.
+  template <class FluxRow>
+  void pass_rows(const Tile& t, int j, const FluxRow& faces) const {
+    const bool high = j == ny;
+    double* side = j == 0 ? y_min : (high ? y_max : nullptr);
+    for (int i = t.i0; side != nullptr && i < t.i1; ++i) {
+      side[i] = high ? pass(faces, i, true) : -pass(faces, i, false);
     }
+  }
+
+ private:
+  /// Takes out a flux inwards; returns the mass flux that is left.
+  template <class FluxRow>
+  static double pass(const FluxRow& faces, int i, bool high) {
+    if (high ? faces.mass[i] < 0 : faces.mass[i] > 0) {
+      faces.mass[i] = faces.normal[i] = faces.transverse[i] = 0;
+    }
+    return static_cast<double>(faces.mass[i]);
   }
 };
 
