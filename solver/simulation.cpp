@@ -11,6 +11,8 @@
 #include "solver/backend_config.hpp"
 #include "solver/initial_state.hpp"
 #include "solver/reference/compare.hpp"
+#include "solver/snapshot.hpp"
+#include "solver/step_log.hpp"
 
 namespace sandsim {
 namespace {
@@ -42,11 +44,6 @@ class StageTimer {
   Clock::time_point start_ = Clock::now();
 };
 
-/// The depth as float64, whatever the run's precision.
-std::vector<double> as_double(const FieldValues& values) {
-  return std::visit([](const auto& v) { return std::vector<double>(v.begin(), v.end()); }, values);
-}
-
 /// One run, from its start or a checkpoint to its end.
 class Run {
  public:
@@ -62,7 +59,6 @@ class Run {
   double choose_step(double due, double bound, bool& limited);
   bool step_is_sound(double bound);
   void step(double dt, double bound, bool limited);
-  void note_step(double dt, bool limited);
   void rain(double dt);
   bool rains_from(double time) const;
   void frame();
@@ -81,18 +77,16 @@ class Run {
   FrameSchedule schedule_;
   std::unique_ptr<Backend> backend_;
   std::vector<SandRain> rains_;
-  std::vector<std::int64_t> probes_;
-  std::vector<std::string> fields_;
+  Snapshots snapshots_;
   RunReport report_;
   StageReport *steps_ = nullptr, *sources_ = nullptr, *maxima_ = nullptr, *frames_ = nullptr;  // in report_
   double time_ = 0.0;
   double target_ = 0.0;  // [s] where the steps land next
   double wall_before_ = 0.0;
   double last_checkpoint_ = 0.0;
-  double frame_step_min_ = 0.0, frame_step_max_ = 0.0;
+  StepLog steps_log_;
   double rain_step_ = std::numeric_limits<double>::infinity();
   double last_motion_ = 0.0;
-  bool any_limited_step_ = false;
 };
 
 Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
@@ -103,8 +97,7 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
       schedule_(scene.time),
       backend_(make_backend(scene, initial_, options.threads)),
       rains_(sand_rains(scene)),
-      probes_(probe_cells(scene)),
-      fields_(output_field_names(scene)) {
+      snapshots_(scene, initial_) {
   const Numerics& numerics = scene.numerics;
   report_.device = backend_->device();
   report_.threads = backend_->threads();
@@ -142,12 +135,9 @@ void Run::resume(const Checkpoint& from) {
   report_.steps = from.steps;
   report_.frames = from.frames;
   report_.ledger = from.ledger;
-  report_.dt_min = from.dt_min, report_.dt_max = from.dt_max;
-  report_.smallest_step = from.smallest_step;
-  any_limited_step_ = from.smallest_step.i >= 0;
+  steps_log_ = StepLog(from);
   time_ = from.time;
   last_motion_ = from.stop_time;
-  frame_step_min_ = from.frame_step_min, frame_step_max_ = from.frame_step_max;
   wall_before_ = from.wall_time;
 }
 
@@ -156,11 +146,9 @@ Checkpoint Run::checkpoint() const {
   to.steps = report_.steps;
   to.frames = report_.frames;
   to.time = time_;
-  to.frame_step_min = frame_step_min_, to.frame_step_max = frame_step_max_;
   to.wall_time = wall();
   to.ledger = report_.ledger;
-  to.dt_min = report_.dt_min, to.dt_max = report_.dt_max;
-  to.smallest_step = report_.smallest_step.value_or(Incident{});
+  steps_log_.save(to);
   to.stop_time = last_motion_;
   StateArrays state = backend_->state();
   to.depth = std::move(state.depth);
@@ -277,23 +265,16 @@ bool Run::step_is_sound(double bound) {
 }
 
 void Run::step(double dt, double bound, bool limited) {
-  if (limited) {
-    note_step(dt, limited);  // before the step: the cell that limits it is still the one
-  }
+  steps_log_.note(dt, time_, limited, *backend_);  // before the step: the cell that limits it is still the one
   StepOutcome outcome;
   {
     StageTimer timer(*steps_, backend_->bytes_per_step());
     outcome = backend_->step(dt);
   }
   report_.ledger.out += outcome.volume_out;
-  if (!limited) {
-    note_step(dt, limited);
-  }
   rain(dt);
   time_ = limited ? time_ + dt : target_;
   report_.steps += 1;
-  frame_step_min_ = frame_step_min_ == 0.0 ? dt : std::min(frame_step_min_, dt);
-  frame_step_max_ = std::max(frame_step_max_, dt);
   if (scene_.output.maxima) {
     StageTimer timer(*maxima_, 1.5 * backend_->bytes_per_step());
     backend_->update_maxima(time_);
@@ -310,27 +291,6 @@ void Run::step(double dt, double bound, bool limited) {
     // The same step again gives the same state. A step cut short could hide a change below rounding: those don't count.
     report_.at_rest = true;
   }
-}
-
-/// Steps that were cut to land on a frame count only as long as there is no other.
-void Run::note_step(double dt, bool limited) {
-  const bool first = report_.dt_min == 0.0 || (limited && !any_limited_step_);
-  if (!limited && any_limited_step_) {
-    return;
-  }
-  any_limited_step_ = any_limited_step_ || limited;
-  // The cell is looked for when the step has shrunk by 5 %: the search costs a pass over the grid.
-  if (first || !report_.smallest_step || dt < 0.95 * report_.smallest_step->step) {
-    Incident incident;
-    incident.time = time_, incident.step = dt, incident.cause = "cut to land on a frame";
-    if (limited) {
-      const SpeedLimit limit = backend_->speed_limit();
-      incident.i = limit.i, incident.j = limit.j, incident.cause = "stability bound";
-    }
-    report_.smallest_step = incident;
-  }
-  report_.dt_min = first ? dt : std::min(report_.dt_min, dt);
-  report_.dt_max = first ? dt : std::max(report_.dt_max, dt);
 }
 
 void Run::rain(double dt) {
@@ -351,7 +311,7 @@ bool Run::rains_from(double time) const {
 }
 
 void Run::frame() {
-  StageTimer timer(*frames_, 0.0);
+  StageTimer timer(*frames_, snapshots_.field_bytes());
   const GridStatistics sums = backend_->statistics();
   report_.ledger.final = sums.volume;
   if (std::fabs(report_.ledger.error()) > drift_tolerance(scene_.numerics.precision)) {
@@ -360,32 +320,11 @@ void Run::frame() {
     incident.cause = "volume drift";
     fail(incident, "the volume has drifted by " + std::to_string(report_.ledger.error()) + " of what was brought in");
   }
-  Frame frame;
-  frame.index = report_.frames;
-  frame.statistics = {time_,         sums.volume, sums.kinetic_energy, sums.max_speed, frame_step_min_, frame_step_max_,
-                      report_.steps, wall(),      sums.moving_cells};
-  for (const std::string& name : fields_) {
-    frame.fields.push_back({name, backend_->field(name)});
-    frames_->bytes += static_cast<double>(report_.cells) * (report_.precision == "float32" ? 4.0 : 8.0);
-  }
-  frame.probes = backend_->sample(probes_);
-  frame.reference_tip = std::numeric_limits<double>::quiet_NaN();
-  if (scene_.reference) {
-    if (!scene_.reference->front_depths.empty()) {
-      const std::vector<double> depth = as_double(backend_->field("depth"));
-      for (const double threshold : scene_.reference->front_depths) {
-        frame.fronts.push_back(front(scene_.grid, depth, threshold));
-      }
-    }
-    if (scene_.reference->exact) {
-      ReferenceFrame exact = reference_at(scene_, initial_, time_);
-      frame.reference_depth = std::move(exact.depth);
-      frame.reference_tip = exact.tip;
-    }
-  }
-  sink_.frame(std::move(frame));
+  sink_.frame(snapshots_.take(*backend_, report_.frames,
+                              {time_, sums.volume, sums.kinetic_energy, sums.max_speed, steps_log_.frame_min(),
+                               steps_log_.frame_max(), report_.steps, wall(), sums.moving_cells}));
   report_.frames += 1;
-  frame_step_min_ = frame_step_max_ = 0.0;
+  steps_log_.start_frame();
 }
 
 /// Between steps: progress, interrupts, limits, checkpoints.
@@ -397,7 +336,7 @@ Run::Next Run::look_up() {
   if (options_.progress) {
     const double solving = steps_->seconds;
     options_.progress(
-        {time_, scene_.time.end, report_.dt_max, report_.steps,
+        {time_, scene_.time.end, steps_log_.max(), report_.steps,
          solving > 0.0 ? static_cast<double>(report_.cells) * static_cast<double>(steps_->launches) / solving : 0.0});
   }
   if (options_.interrupt != nullptr && options_.interrupt->load(std::memory_order_relaxed)) {
@@ -439,6 +378,7 @@ void Run::fail(Incident incident, const std::string& problem, const std::string&
 
 void Run::finish() {
   report_.simulated_time = time_;
+  steps_log_.report(report_);
   report_.ledger.final = backend_->statistics().volume;
   report_.stop_time = report_.at_rest ? last_motion_ : 0.0;
   report_.max_slope_violation = backend_->slope_violation();

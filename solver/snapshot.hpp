@@ -1,0 +1,35 @@
+// What a frame holds, taken from a backend: the requested fields only.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/backend.hpp"
+#include "solver/initial_state.hpp"
+#include "solver/scene.hpp"
+#include "solver/sink.hpp"
+
+namespace sandsim {
+
+/// The depth as float64, whatever the run's precision.
+std::vector<double> as_double(const FieldValues& values);
+
+/// Takes snapshots of one run. `scene` and `initial` must outlive it.
+class Snapshots {
+ public:
+  Snapshots(const Scene& scene, const InitialState& initial);
+
+  /// A frame with its fields, probes, fronts and references; `statistics` as they are.
+  Frame take(const Backend& backend, std::int64_t index, const FrameStatistics& statistics) const;
+  /// Bytes of the fields of one frame.
+  double field_bytes() const;
+
+ private:
+  const Scene& scene_;
+  const InitialState& initial_;
+  std::vector<std::string> fields_;
+  std::vector<std::int64_t> probes_;
+};
+
+}  // namespace sandsim
