@@ -1,14 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <ostream>
 #include <utility>
 #include <vector>
 
+#include "cli/arithmetic_rate.hpp"
 #include "cli/bench_step.hpp"
 #include "cli/commands.hpp"
 #include "cli/copy_bandwidth.hpp"
 #include "cli/machine.hpp"
+#include "cli/operation_count.hpp"
 #include "cli/text.hpp"
 #include "io/output/json.hpp"
 #include "io/output/version.hpp"
@@ -47,12 +50,20 @@ Effort effort_of(const BenchArguments& arguments) {
 struct StepRow {
   StepCase which;
   StepSpeed speed;
-  double floor = 0.0;  // [cell-steps/s]
+  double floor = 0.0;  // [cell-steps/s] that the memory allows
+  OperationCount operations;
+  double arithmetic_floor = 0.0;  // [cell-steps/s] that the arithmetic allows
 
+  double percent_of_arithmetic() const { return 100.0 * speed.cell_steps_per_second.median / arithmetic_floor; }
   double percent() const { return 100.0 * speed.cell_steps_per_second.median / floor; }
   const char* precision() const { return which.precision == Precision::float32 ? "float32" : "float64"; }
   const char* terrain() const { return which.terrain ? "wavy" : "flat"; }
 };
+
+/// The slower kind of operation alone: the faster one runs beside it.
+double arithmetic_floor(const OperationCount& count, const ArithmeticRate& rate) {
+  return 1.0 / std::max(count.simple / rate.simple.median, count.divided / rate.divided.median);
+}
 
 struct StartRow {
   int columns = 0;
@@ -63,21 +74,33 @@ struct StartRow {
 void print_head(std::ostream& out, const Effort& effort, const Measurement& bandwidth) {
   out << fmt::format("{}\n{}, {} thread{}, {}\n\n", source_line(), processor_name(), effort.threads,
                      effort.threads == 1 ? "" : "s", vector_instructions());
-  out << fmt::format("copy bandwidth  {}/s (read + written, ordinary stores; {}/s to {}/s), arrays of {}\n\n",
+  out << fmt::format("copy bandwidth  {}/s (read + written, ordinary stores; {}/s to {}/s), arrays of {}\n",
                      format_bytes(bandwidth.median), format_bytes(bandwidth.least), format_bytes(bandwidth.most),
                      format_bytes(static_cast<double>(effort.array_bytes)));
-  out << fmt::format("step, {0} x {0} cells, all moving, periodic; M cell-steps/s, median of {1} x {2} steps\n",
+}
+
+void print_columns(std::ostream& out, const Effort& effort) {
+  out << fmt::format("\nstep, {0} x {0} cells, all moving, periodic; M cell-steps/s, median of {1} x {2} steps\n",
                      effort.size, effort.repeats, effort.steps);
-  out << fmt::format("{:<18}{:<9}{:<8}{:>8}{:>20}{:>14}{:>14}{:>10}\n", "scheme", "", "terrain", "speed", "range",
-                     "bytes a cell", "floor (bytes)", "of floor");
+  out << fmt::format("{:<18}{:<9}{:<8}{:>8}{:>18}{:>14}{:>14}{:>10}{:>22}{:>12}{:>10}\n", "scheme", "", "terrain",
+                     "speed", "range", "bytes a cell", "floor (bytes)", "of floor", "operations + div/sqrt",
+                     "their floor", "of floor");
+}
+
+void print_rate(std::ostream& out, Precision precision, const ArithmeticRate& rate) {
+  out << fmt::format("{} arithmetic  {:.1f} G additions and multiplications/s, {:.2f} G divisions and square roots/s\n",
+                     precision == Precision::float32 ? "float32" : "float64", rate.simple.median / 1e9,
+                     rate.divided.median / 1e9);
 }
 
 void print_row(std::ostream& out, const StepRow& row) {
   const Measurement& speed = row.speed.cell_steps_per_second;
-  out << fmt::format("{:<18}{:<9}{:<8}{:>8.1f}{:>20}{:>14.1f}{:>14}{:>8.1f} %\n", scheme_name(row.which),
-                     row.precision(), row.terrain(), speed.median / 1e6,
+  out << fmt::format("{:<18}{:<9}{:<8}{:>8.1f}{:>18}{:>14.1f}{:>14}{:>8.1f} %{:>22}{:>12.0f}{:>8.1f} %\n",
+                     scheme_name(row.which), row.precision(), row.terrain(), speed.median / 1e6,
                      fmt::format("{:.1f} to {:.1f}", speed.least / 1e6, speed.most / 1e6), row.speed.bytes_per_cell,
-                     fmt::format("{:.0f} ({:.0f})", row.floor / 1e6, floor_bytes(row.which)), row.percent());
+                     fmt::format("{:.0f} ({:.0f})", row.floor / 1e6, floor_bytes(row.which)), row.percent(),
+                     fmt::format("{} + {}", row.operations.simple, row.operations.divided), row.arithmetic_floor / 1e6,
+                     row.percent_of_arithmetic());
   if (row.speed.moving < 1.0) {
     out << fmt::format("  only {:.2f} % of the cells moved to the end\n", 100.0 * row.speed.moving);
   }
@@ -111,6 +134,9 @@ std::string bench_json(const Effort& effort, const Measurement& bandwidth, const
     add_measurement(json, "cell_steps_per_second", row.speed.cell_steps_per_second);
     json.member("bytes_per_cell", row.speed.bytes_per_cell).member("floor_bytes_per_cell", floor_bytes(row.which));
     json.member("floor_cell_steps_per_second", row.floor).member("percent_of_floor", row.percent());
+    json.member("simple_operations", row.operations.simple).member("divisions_and_roots", row.operations.divided);
+    json.member("arithmetic_floor_cell_steps_per_second", row.arithmetic_floor);
+    json.member("percent_of_arithmetic_floor", row.percent_of_arithmetic());
     json.member("moving_fraction", row.speed.moving).end_object();
   }
   json.end_array().begin_array("start_to_first_step");
@@ -131,10 +157,22 @@ ExitCode bench_command(const BenchArguments& arguments, Console& console) {
   if (table) {
     print_head(console.out, effort, bandwidth);
   }
+  std::map<Precision, ArithmeticRate> rates;
+  for (const Precision precision : effort.precisions) {
+    rates[precision] = measure_arithmetic(precision, effort.threads, std::max(effort.repeats, 3));
+    if (table) {
+      print_rate(console.out, precision, rates[precision]);
+    }
+  }
+  if (table) {
+    print_columns(console.out, effort);
+  }
   std::vector<StepRow> rows;
   for (const StepCase& which : step_cases(effort.precisions)) {
     const StepSpeed speed = measure_step(which, effort.size, effort.threads, effort.repeats, effort.steps);
-    rows.push_back({which, speed, bandwidth.median / floor_bytes(which)});
+    const OperationCount operations = count_operations(which.scheme == Scheme::paper, which.order, !which.terrain);
+    rows.push_back({which, speed, bandwidth.median / floor_bytes(which), operations,
+                    arithmetic_floor(operations, rates[which.precision])});
     if (table) {
       print_row(console.out, rows.back());
     }

@@ -55,8 +55,8 @@ SANDSIM_HD Result<R> step(const Sample<R>& s) {
   const FaceFlux<R> right = balanced_flux<false>(side(s, 2, own, half, m), side(s, 3, east, -half, m), p);
   const CellCore<R> core{own.x.sh, own.x.ss, own.y.sh, own.y.ss, own.dh, own.G};
   Result<R> out;
-  out.balanced =
-      balanced_update<2, false>(State<R>{s.h[2], s.h[2] * s.u[2], s.h[2] * s.v[2]}, core, left, right, left, right, m, p);
+  out.balanced = balanced_update<2, false>(State<R>{s.h[2], s.h[2] * s.u[2], s.h[2] * s.v[2]}, core, left, right, left,
+                                           right, m, p);
   const PaperSwitches<R> switches{R(1), true};
   const PaperSide<R> a{s.h[1], s.u[1], s.v[1]}, b{s.h[2], s.u[2], s.v[2]}, c{s.h[3], s.u[3], s.v[3]};
   const FaceFlux<R> paper_left = paper_flux(a, b, switches, p.g), paper_right = paper_flux(b, c, switches, p.g);

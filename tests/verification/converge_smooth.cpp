@@ -114,7 +114,8 @@ TEST_CASE("a smooth flow without friction converges in second order in all three
 }
 
 TEST_CASE("a smooth flow with friction converges in second order in all three fields") {
-  // With friction along the velocity at the end of the step, instead of the step's mean direction, these are 1.5 to 1.9.
+  // With friction along the velocity at the end of the step, instead of the step's mean direction, these are 1.5
+  // to 1.9.
   const Fields order = orders(Method::order2, 0.3, 64);
   CHECK(order.depth[0] >= 1.9);
   CHECK(order.x[0] >= 1.9);

@@ -270,9 +270,9 @@ int BalancedRows<R, Order, Flat, Uniform, OneD>::update_row(int j, int first, in
 template <class R, int Order, bool Flat, bool Uniform, bool OneD>
 int BalancedRows<R, Order, Flat, Uniform, OneD>::step(const Tile& t, Scratch<R>& scratch, const SideFlow& flow) const {
   Rows rows = lay_out(scratch, t.i0);
-  auto& [before, present, ahead] = rows.velocity;
-  auto& [cell, cell_ahead] = rows.cell;
-  auto& [below, above] = rows.south_north;
+  VelocityRow &before = rows.velocity[0], &present = rows.velocity[1], &ahead = rows.velocity[2];
+  CellRow &cell = rows.cell[0], &cell_ahead = rows.cell[1];
+  FluxRow &below = rows.south_north[0], &above = rows.south_north[1];
   const auto velocity = [&](int j, const VelocityRow& out) { velocity_row(j, t.i0 - 2, t.i1 + 2, out); };
   // Reconstructs row j into `cell_ahead` and moves the window of velocities so that `present` is row j.
   const auto advance = [&](int j) {
