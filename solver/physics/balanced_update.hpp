@@ -18,7 +18,7 @@ struct CellCore {
   R sh_x, ss_x, sh_y, ss_y, dh, G;
 };
 
-/// The friction of order 2 in two dimensions acts along the mean direction of the step; order 1 along the new one.
+/// The friction of order 2 acts along the mean direction of the step, that of order 1 along the new one.
 template <int Order, bool OneD, class R>
 SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, const FaceFlux<R>& west,
                                     const FaceFlux<R>& east, const FaceFlux<R>& south, const FaceFlux<R>& north,
@@ -56,7 +56,7 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
 
   R hu = old.hu - k * (flow_x + push_x), hv = old.hv - k * (flow_y + push_y);
   const R grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
-  if constexpr (Order == 2 && !OneD) {
+  if constexpr (Order == 2) {
     const Slowed<R> slowed = slow_down_turning(hu, hv, old.hu, old.hv, grip);
     hu = slowed.x;
     hv = slowed.y;
