@@ -53,6 +53,13 @@ struct Counted {
   friend Counted sqrt(Counted a) { return divided(std::sqrt(a.value), a.fixed); }
 };
 
+bool any_of(CountedMask mask) {
+  return mask.set;
+}
+bool all_of(CountedMask mask) {
+  return mask.set;
+}
+
 /// What `where(mask, target) = value` assigns to.
 struct Chosen {
   CountedMask mask;
@@ -83,7 +90,7 @@ Counted cell_value(double v) {
 }
 
 const Material<Counted> material{0.6, 1.0, 1e30};
-const StepParameters<Counted> parameters{0.01, 9.8, 0.002, 1e-10};
+const StepParameters<Counted> parameters = step_parameters<Counted>(0.01, 9.8, 0.002, 1e-10);
 
 FaceSide<Counted> some_side() {
   FaceSide<Counted> side;
@@ -119,8 +126,8 @@ void run_balanced() {
   // The speed that bounds the next step.
   quotient_velocity(x, x, parameters.dry_depth);
   quotient_velocity(x, x, parameters.dry_depth);
-  const Counted slope = length(compact_slope(differences<Flat>(profile.line), parameters.dx),
-                               compact_slope(differences<Flat>(profile.line), parameters.dx));
+  const Counted slope = length(compact_slope(differences<Flat>(profile.line), parameters.inverse_dx),
+                               compact_slope(differences<Flat>(profile.line), parameters.inverse_dx));
   maximum(x, balanced_speed<false>(x, x, x, slope, material, parameters.g, parameters.dx, parameters.dry_depth));
 }
 
@@ -130,7 +137,7 @@ void run_paper() {
   const PaperSwitches<Counted> switches{1.0, CountedMask{true}};
   const PaperSide<Counted> side{x, x, x};
   for (int value = 0; value < 4; ++value) {  // two for the step, two for the speed of the next
-    desingularised_velocity(x, x, parameters.dx);
+    desingularised_velocity(x, x, parameters.inverse_dx);
   }
   paper_flux(side, side, switches, parameters.g);
   paper_flux(side, side, switches, parameters.g);

@@ -46,30 +46,21 @@ SANDSIM_HD FrictionHold<R> friction_hold(const FaceSide<R>& L, const FaceSide<R>
   if constexpr (!Flat) {
     drop = surface_drop(surface_jump, L.h, Q.h, L.b, Q.b);
   }
-  const R share = select(drop <= held, R(1), held / drop);
+  const auto stands = drop <= held;
+  const R share = every(stands) ? R(1) : select(stands, R(1), held / drop);
   const R demand = maximum(L.demand, Q.demand);
-  const R stillness = maximum(R(0), 1 - demand / (p.g * p.dt));
+  const R stillness = maximum(R(0), 1 - demand * p.inverse_g_dt);
   const auto topples = (mu > R(0)) & (demand == R(0)) & (drop > held) & (drop <= constant<R>(1.01) * held);
   return {select(mu > R(0), 1 - share * stillness, R(1)),
-          select(topples, R(0.25f) * (drop - held) * (p.dx / p.dt), R(0))};
-}
-
-/// Outflow speeds of both sides from the one-sided wave speeds (HLL as two upwind transports), under the caps.
-template <class R>
-struct OutflowSpeeds {
-  R left, right;
-};
-template <class R>
-SANDSIM_HD OutflowSpeeds<R> outflow_speeds(R u_left, R u_right, R b_plus, R b_minus) {
-  const R width = b_plus - b_minus;
-  const R left = b_plus * (u_left - b_minus) / width;
-  const R right = -b_minus * (b_plus - u_right) / width;
-  return {select(width > R(0), left, R(0)), select(width > R(0), right, R(0))};
+          select(topples, R(0.25f) * (drop - held) * p.cell_a_step, R(0))};
 }
 
 template <bool Flat, class R>
 SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q, const StepParameters<R>& p) {
   const R half = R(0.5f), zero = R(0);
+  if (every((L.h <= zero) & (Q.h <= zero))) {
+    return {zero, zero, zero, zero, zero};
+  }
   // Depths at the face, and above the higher of the two beds there.
   const R surface_jump = surface_difference(L.h, Q.h, L.b, Q.b);
   const R h_left0 = L.h + half * L.sh, h_right0 = Q.h - half * Q.sh;
@@ -91,23 +82,28 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   const R b_plus = maximum(maximum(u_left + phi * c_left, u_right + phi * c_right), zero);
   const R b_minus = minimum(minimum(u_left - phi * c_left, u_right - phi * c_right), zero);
 
-  OutflowSpeeds<R> al = outflow_speeds(u_left, u_right, b_plus, b_minus);
-  const R cap_left = L.K * minimum(h_left0 / x_left, R(1));
-  const R cap_right = Q.K * minimum(h_right0 / x_right, R(1));
-  al.left = minimum(al.left, select(x_left > zero, cap_left, zero));
-  al.right = minimum(al.right, select(x_right > zero, cap_right, zero));
+  // HLL as two upwind transports: each side sends its depth out at its own speed, capped so that no depth becomes
+  // negative.
+  const R width = b_plus - b_minus;
+  const R per_width = 1 / width;
+  const auto flows = width > zero;
+  const R cap_left = L.K * minimum(h_left0, x_left), cap_right = Q.K * minimum(h_right0, x_right);
+  const R out_left = b_plus * (u_left - b_minus) * per_width * x_left;
+  const R out_right = -b_minus * (b_plus - u_right) * per_width * x_right;
+  const R m_left = minimum(select(flows, out_left, zero), cap_left);
+  const R m_right = minimum(select(flows, out_right, zero), cap_right);
   // The slide takes what the caps leave.
   const auto leftward = surface_jump > zero;
-  const R room = select(leftward, (cap_right - al.right) * x_right, (cap_left - al.left) * x_left);
-  const R slide = select(hold.topple > zero, minimum(hold.topple, room), zero);
+  const R slide = minimum(hold.topple, select(leftward, cap_right - m_right, cap_left - m_left));
 
   FaceFlux<R> F;
-  F.mass = (al.left * x_left - al.right * x_right) + select(leftward, -slide, slide);
-  F.normal = al.left * (x_left * u_left) - al.right * (x_right * u_right);
+  F.mass = (m_left - m_right) + select(leftward, -slide, slide);
+  F.normal = m_left * u_left - m_right * u_right;
   F.transverse = F.mass * select(F.mass > zero, L.transverse, Q.transverse);
 
   // Pressure: g hbar times the jump, shared between the sides by the wave speeds.
-  const R width = a_plus - a_minus;
+  const R spread = a_plus - a_minus;
+  const R per_spread = every(phi == R(1)) ? per_width : 1 / spread;
   const auto connected =
       ((beta >= zero) & (x_left < h_left) & (x_left > zero)) | ((beta < zero) & (x_right < h_right) & (x_right > zero));
   const R jump = select(connected, ds, x_right - x_left);
@@ -115,15 +111,15 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   const R H_right = mean_hbar(x_left, x_right, Q.material);
   const R held_left = phi * H_left + (1 - phi) * minimum(H_left, 2 * hbar(L.h, L.material));
   const R held_right = phi * H_right + (1 - phi) * minimum(H_right, 2 * hbar(Q.h, Q.material));
-  const R jump_left = p.g * (-a_minus / width * select(phi != R(1), held_left, H_left)) * jump;
-  const R jump_right = p.g * (a_plus / width * select(phi != R(1), held_right, H_right)) * jump;
+  const R jump_left = p.g * (-a_minus * per_spread * select(phi != R(1), held_left, H_left)) * jump;
+  const R jump_right = p.g * (a_plus * per_spread * select(phi != R(1), held_right, H_right)) * jump;
 
   const auto empty = (x_left <= zero) & (x_right <= zero);
   F.mass = select(empty, zero, F.mass);
   F.normal = select(empty, zero, F.normal);
   F.transverse = select(empty, zero, F.transverse);
-  F.jump_left = select(empty | (width <= zero), zero, jump_left);
-  F.jump_right = select(empty | (width <= zero), zero, jump_right);
+  F.jump_left = select(empty | (spread <= zero), zero, jump_left);
+  F.jump_right = select(empty | (spread <= zero), zero, jump_right);
   return F;
 }
 

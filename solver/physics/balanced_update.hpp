@@ -23,7 +23,7 @@ template <int Order, bool OneD, class R>
 SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, const FaceFlux<R>& west,
                                     const FaceFlux<R>& east, const FaceFlux<R>& south, const FaceFlux<R>& north,
                                     const Material<R>& m, const StepParameters<R>& p) {
-  const R half = R(0.5f), zero = R(0), k = p.dt / p.dx;
+  const R half = R(0.5f), zero = R(0), k = p.ratio;
   const R h = old.h;
   // The pairs are summed first, then the axes: mirrored and turned states give mirrored and turned results.
   R mass = east.mass - west.mass;
@@ -48,11 +48,14 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
   push_y = select(held, zero, push_y);
 
   // The push may not do more work than lifting over one cell.
-  const R push = (OneD ? absolute(push_x) : length(push_x, push_y)) / p.dx / maximum(h, h_new);
-  const R tamed = square_root(2 * p.dx / push) / p.dt;
-  const R tame = select(wet & (push * p.dt * p.dt > 2 * p.dx), tamed, R(1));
-  push_x = push_x * tame;
-  push_y = push_y * tame;
+  const R push = (OneD ? absolute(push_x) : length(push_x, push_y)) * p.inverse_dx;
+  const R most = 2 * p.dx * maximum(h, h_new);
+  const auto wild = wet & (push * p.dt * p.dt > most);
+  if (any(wild)) {
+    const R tame = select(wild, square_root(most / push) / p.dt, R(1));
+    push_x = push_x * tame;
+    push_y = push_y * tame;
+  }
 
   R hu = old.hu - k * (flow_x + push_x), hv = old.hv - k * (flow_y + push_y);
   const R grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
@@ -67,10 +70,13 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
   }
 
   // No more than one cell a step; acts only when a fixed step breaks the bound.
-  const R fastest = h_new * p.dx / p.dt, size_new = OneD ? absolute(hu) : length(hu, hv);
-  const R slow = select(size_new > fastest, fastest / size_new, R(1));
-  hu = hu * slow;
-  hv = hv * slow;
+  const R fastest = h_new * p.cell_a_step, size_new = OneD ? absolute(hu) : length(hu, hv);
+  const auto leaps = size_new > fastest;
+  if (any(leaps)) {
+    const R slow = select(leaps, fastest / size_new, R(1));
+    hu = hu * slow;
+    hv = hv * slow;
+  }
   const auto dries = h_new <= p.dry_depth;
   return {h_new, select(dries, zero, hu), select(dries, zero, hv)};
 }

@@ -22,10 +22,15 @@ struct Slowed {
 /// Exactly 0 if friction holds.
 template <class R>
 SANDSIM_HD Slowed<R> slow_down_turning(R x, R y, R x_old, R y_old, R grip) {
-  const R size = length(x, y), factor = friction_factor(size, grip);
+  const R size = length(x, y);
+  const auto slides = size > grip;
+  if (!any(slides)) {
+    return {R(0), R(0)};
+  }
   const R mean_x = x_old + x, mean_y = y_old + y;
   const R share = grip / length(mean_x, mean_y);
-  const auto along_mean = (size > grip) & (x_old * x + y_old * y > R(0));
+  const auto along_mean = slides & (x_old * x + y_old * y > R(0));
+  const R factor = friction_factor(size, grip);
   return {select(along_mean, x - share * mean_x, x * factor), select(along_mean, y - share * mean_y, y * factor)};
 }
 

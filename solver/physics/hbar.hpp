@@ -16,9 +16,12 @@ template <class R>
 SANDSIM_HD R mean_hbar(R p, R q, const Material<R>& material) {
   const R low = minimum(p, q), high = maximum(p, q);
   const R kink = material.cap / material.alpha;  // depth at which the cap sets in
+  const R under = material.alpha * (low + high) * R(0.5f);
+  if (every(high <= kink)) {
+    return under;
+  }
   const R below = kink - low;
   const R across = material.cap - material.alpha * below * below / (2 * (high - low));
-  const R under = material.alpha * (low + high) * R(0.5f);
   return select(high <= kink, under, select(low >= kink, material.cap, across));
 }
 

@@ -50,6 +50,25 @@ SANDSIM_HD R select(M mask, R yes, R no) {
   }
 }
 
+/// Whether the mask is set in some lane, or in every lane: then work that no lane needs can be left out. What is left
+/// out never changes a result.
+template <class M>
+SANDSIM_HD bool any(M mask) {
+  if constexpr (std::is_integral_v<M>) {
+    return mask;
+  } else {
+    return any_of(mask);
+  }
+}
+template <class M>
+SANDSIM_HD bool every(M mask) {
+  if constexpr (std::is_integral_v<M>) {
+    return mask;
+  } else {
+    return all_of(mask);
+  }
+}
+
 template <class R>
 SANDSIM_HD R minimum(R a, R b) {
   return select(b < a, b, a);

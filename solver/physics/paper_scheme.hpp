@@ -49,7 +49,7 @@ template <bool OneD, class R>
 SANDSIM_HD State<R> paper_update(R h, R u, R v, R surface_west_east, R surface_south_north, const FaceFlux<R>& west,
                                  const FaceFlux<R>& east, const FaceFlux<R>& south, const FaceFlux<R>& north,
                                  const Material<R>& m, const StepParameters<R>& p) {
-  const R k = p.dt / p.dx;
+  const R k = p.ratio;
   R mass = east.mass - west.mass;
   R flow_x = east.normal - west.normal, flow_y = east.transverse - west.transverse;
   if constexpr (!OneD) {

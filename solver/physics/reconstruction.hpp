@@ -35,9 +35,9 @@ struct CellReconstruction {
 
 /// The bed slope ss - sh stays within the admissible bed differences, face depths within [h/2, 3h/2].
 template <int Order, bool Flat, class R>
-SANDSIM_HD AxisSlopes<R> axis_slopes(const Profile3<R>& p, R u, R v, Mask<R> dry, R dx) {
+SANDSIM_HD AxisSlopes<R> axis_slopes(const Profile3<R>& p, R u, R v, Mask<R> dry, R inverse_dx) {
   const Differences<R> d = differences<Flat>(p.line);
-  AxisSlopes<R> out{R(0), R(0), R(0), R(0), compact_slope(d, dx)};
+  AxisSlopes<R> out{R(0), R(0), R(0), R(0), compact_slope(d, inverse_dx)};
   R low = R(0), high = R(0);
   if constexpr (!Flat) {
     const R bed = minmod(p.line.b - p.line.b_minus, p.line.b_plus - p.line.b);
@@ -71,14 +71,15 @@ SANDSIM_HD void predict(CellReconstruction<R>& c, R h, R u, R v, Mask<R> dry, co
   const R half = R(0.5f);
   const R lowest =
       minimum(minimum(h + half * c.x.sh, h - half * c.x.sh), minimum(h + half * c.y.sh, h - half * c.y.sh));
-  const R growth = -half * p.dt * ((u * c.x.sh + h * c.x.su) / p.dx + (v * c.y.sh + h * c.y.sv) / p.dx);
+  const R half_ratio = half * p.ratio;
+  const R growth = -half_ratio * ((u * c.x.sh + h * c.x.su) + (v * c.y.sh + h * c.y.sv));
   const R dh = maximum(growth, -half * lowest);
   const R ratio = hbar(h, m) / h;
   const auto held = (u == R(0)) & (v == R(0)) & (c.G <= m.mu);
   const R force_x = select(held, R(0), p.g * ratio * c.x.ss);
   const R force_y = select(held, R(0), p.g * ratio * c.y.ss);
-  const R w = u - half * p.dt * (u * c.x.su + v * c.y.su + force_x) / p.dx;
-  const R z = v - half * p.dt * (u * c.x.sv + v * c.y.sv + force_y) / p.dx;
+  const R w = u - half_ratio * (u * c.x.su + v * c.y.su + force_x);
+  const R z = v - half_ratio * (u * c.x.sv + v * c.y.sv + force_y);
   const R factor = friction_factor(length(w, z), half * p.dt * m.mu * p.g * ratio);
   c.dh = select(dry, R(0), dh);
   c.du = select(dry, R(0), w * factor - u);
@@ -92,12 +93,12 @@ SANDSIM_HD CellReconstruction<R> reconstruct(const Profile3<R>& along_x, const P
   const R h = along_x.line.h;
   const Mask<R> dry = h <= p.dry_depth;
   CellReconstruction<R> c;
-  c.x = axis_slopes<Order, Flat>(along_x, u, v, dry, p.dx);
+  c.x = axis_slopes<Order, Flat>(along_x, u, v, dry, p.inverse_dx);
   if constexpr (OneD) {
     c.y = {R(0), R(0), R(0), R(0), R(0)};
     c.G = absolute(c.x.G);
   } else {
-    c.y = axis_slopes<Order, Flat>(along_y, u, v, dry, p.dx);
+    c.y = axis_slopes<Order, Flat>(along_y, u, v, dry, p.inverse_dx);
     c.G = length(c.x.G, c.y.G);
   }
   const R thickness = hbar(h, m);
@@ -107,18 +108,21 @@ SANDSIM_HD CellReconstruction<R> reconstruct(const Profile3<R>& along_x, const P
 
   // Outflow over all faces stays under 0.9998 h for any step, so that no depth becomes negative.
   const R wave = square_root(p.g * thickness);
-  const R K = constant<R>(0.4999) * p.dx / p.dt;
+  const R K = constant<R>(0.4999) * p.cell_a_step;
   if constexpr (OneD) {
     c.Kx = K;
     c.Ky = R(0);
   } else {
     const R a_x = absolute(u) + wave, a_y = absolute(v) + wave, sum = a_x + a_y;
+    // True quotients: they are exactly 1/2 in still sand, so that a lake's neighbours have the same caps.
     c.Kx = K * select(sum > R(0), a_x / sum, R(0.5f));
     c.Ky = K * select(sum > R(0), a_y / sum, R(0.5f));
   }
   c.dh = c.du = c.dv = R(0);
   if constexpr (Order == 2) {
-    predict(c, h, u, v, dry, m, p);
+    if (!every(dry)) {
+      predict(c, h, u, v, dry, m, p);
+    }
   }
   return c;
 }

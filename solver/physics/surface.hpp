@@ -60,8 +60,8 @@ SANDSIM_HD Differences<R> differences(const Line<R>& line) {
 
 /// Compact slope of the surface along one axis. [-]
 template <class R>
-SANDSIM_HD R compact_slope(const Differences<R>& d, R dx) {
-  return R(0.5f) * (d.s_minus + d.s_plus) / dx;
+SANDSIM_HD R compact_slope(const Differences<R>& d, R inverse_dx) {
+  return R(0.5f) * (d.s_minus + d.s_plus) * inverse_dx;
 }
 
 }  // namespace sandsim::physics

@@ -13,9 +13,12 @@ template <bool OneD, class R>
 SANDSIM_HD R balanced_speed(R h, R u, R v, R slope, const Material<R>& m, R g, R dx, R dry_depth) {
   const R thickness = hbar(h, m);
   const R wave = square_root(g * thickness);
-  const R slide = square_root(g * thickness / h * slope * dx);
   const auto slides = (h > dry_depth) & ((u != R(0)) | (v != R(0)) | (slope > m.mu));
-  const R c = select(slides, maximum(wave, slide), wave);
+  R c = wave;
+  if (any(slides)) {
+    const R slide = square_root(g * thickness / h * slope * dx);
+    c = select(slides, maximum(wave, slide), wave);
+  }
   const R a_x = absolute(u);
   const R along_x = a_x + maximum(c, a_x);
   if constexpr (OneD) {

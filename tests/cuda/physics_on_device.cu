@@ -48,7 +48,7 @@ SANDSIM_HD FaceSide<R> side(const Sample<R>& s, int i, const CellReconstruction<
 template <class R>
 SANDSIM_HD Result<R> step(const Sample<R>& s) {
   const Material<R> m{R(0.6f), R(0.8f), R(0.5f)};
-  const StepParameters<R> p{R(0.25f), R(9.8f), R(0.015625f), R(1e-9f)};
+  const StepParameters<R> p = step_parameters(R(0.25f), R(9.8f), R(0.015625f), R(1e-9f));
   const CellReconstruction<R> west = cell(s, 1, m, p), own = cell(s, 2, m, p), east = cell(s, 3, m, p);
   const R half = R(0.5f);
   const FaceFlux<R> left = balanced_flux<false>(side(s, 1, west, half, m), side(s, 2, own, -half, m), p);

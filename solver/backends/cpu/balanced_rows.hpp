@@ -332,10 +332,10 @@ R BalancedRows<R, Order, Flat, Uniform, OneD>::row_speed(const FieldView<R>& h_f
       x.b_minus = load(b, i - 1), x.b = load(b, i), x.b_plus = load(b, i + 1);
       y.b_minus = load(b_s, i), y.b = x.b, y.b_plus = load(b_n, i);
     }
-    const V slope_x = physics::compact_slope(physics::differences<Flat>(x), p.dx);
+    const V slope_x = physics::compact_slope(physics::differences<Flat>(x), p.inverse_dx);
     V slope = physics::absolute(slope_x);
     if constexpr (!OneD) {
-      slope = physics::length(slope_x, physics::compact_slope(physics::differences<Flat>(y), p.dx));
+      slope = physics::length(slope_x, physics::compact_slope(physics::differences<Flat>(y), p.inverse_dx));
     }
     const V u = physics::quotient_velocity(load(hu, i), depth, p.dry_depth);
     const V v = physics::quotient_velocity(load(hv, i), depth, p.dry_depth);

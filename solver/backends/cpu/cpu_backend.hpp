@@ -69,7 +69,16 @@ class CpuBackend final : public Backend {
   Diagnosed<R> diagnosed() const;
   /// Largest bounding speed over rows [j0, j1) of the state in buffer `which`.
   R rows_speed(const Rows& rows, std::size_t which, int j0, int j1) const;
-  int step_block(const Rows& rows, Scratch<R>& scratch, int j0, int j1, R& fastest);
+  /// A single row has no neighbours across.
+  void fill_ghost_rows(std::size_t which) {
+    if constexpr (!Rows::one_d) {
+      halo_.fill_rows(h_[which].view(), hu_[which].view(), hv_[which].view());
+    }
+  }
+  /// Steps a block of rows and takes the speeds of those whose neighbours it holds.
+  int step_block(const Rows& rows, Scratch<R>& scratch, int block, R& fastest);
+  /// The speeds of a block's first and last row, once all blocks are done.
+  void step_edges(const Rows& rows, int block, R& fastest) const;
   double outflow(double dt) const;
 
   BackendConfig config_;
@@ -200,7 +209,8 @@ StepFields<R_of<Rows>> CpuBackend<Rows, Make>::fields() const {
 template <class Rows, class Make>
 physics::StepParameters<R_of<Rows>> CpuBackend<Rows, Make>::parameters(R dt) const {
   const R dx = static_cast<R>(config_.grid.spacing);
-  return {dx, static_cast<R>(config_.gravity), dt, static_cast<R>(physics::dry_depth_fraction) * dx};
+  return physics::step_parameters(dx, static_cast<R>(config_.gravity), dt,
+                                  static_cast<R>(physics::dry_depth_fraction) * dx);
 }
 
 template <class Rows, class Make>
@@ -233,7 +243,7 @@ void CpuBackend<Rows, Make>::set_state(const StateArrays& state) {
   for (int j = 0; j < ny(); ++j) {
     halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
   }
-  halo_.fill_rows(h_[current_].view(), hu_[current_].view(), hv_[current_].view());
+  fill_ghost_rows(current_);
   fastest_ = rows_speed(make_(fields(), parameters(R(0))), current_, 0, ny());
 }
 
@@ -267,7 +277,8 @@ SpeedLimit CpuBackend<Rows, Make>::speed_limit() const {
 }
 
 template <class Rows, class Make>
-int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, int j0, int j1, R& fastest) {
+int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, int block, R& fastest) {
+  const int j0 = block * block_, j1 = std::min(j0 + block_, ny());
   int flags = 0;
   for (int i0 = 0; i0 < nx(); i0 += tile_) {
     flags |= rows.step({i0, std::min(i0 + tile_, nx()), j0, j1}, scratch, flow_);
@@ -282,32 +293,45 @@ int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, in
 }
 
 template <class Rows, class Make>
+void CpuBackend<Rows, Make>::step_edges(const Rows& rows, int block, R& fastest) const {
+  const int first = block * block_, last = std::min(first + block_, ny()) - 1;
+  fastest = std::max(fastest, rows_speed(rows, next(), first, first + 1));
+  fastest = std::max(fastest, rows_speed(rows, next(), last, last + 1));
+}
+
+template <class Rows, class Make>
 StepOutcome CpuBackend<Rows, Make>::step(double dt) {
   const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
   const int blocks = (ny() + block_ - 1) / block_;
-  const auto to = next();
   int flags = 0;
   R fastest = 0;
-#pragma omp parallel num_threads(threads_) if (threads_ > 1) reduction(| : flags) reduction(max : fastest)
-  {
-    Scratch<R>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
+  if (threads_ == 1) {  // without a parallel region, which costs more than the step of a small grid
     for (int block = 0; block < blocks; ++block) {
-      const int j0 = block * block_;
-      flags |= step_block(rows, scratch, j0, std::min(j0 + block_, ny()), fastest);
+      flags |= step_block(rows, scratch_.front(), block, fastest);
     }
-#pragma omp single
-    halo_.fill_rows(h_[to].view(), hu_[to].view(), hv_[to].view());
-    if constexpr (speed_needs_neighbours) {
+    fill_ghost_rows(next());
+    for (int block = 0; speed_needs_neighbours && block < blocks; ++block) {
+      step_edges(rows, block, fastest);
+    }
+  } else {
+#pragma omp parallel num_threads(threads_) reduction(| : flags) reduction(max : fastest)
+    {
+      Scratch<R>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
       for (int block = 0; block < blocks; ++block) {
-        const int first = block * block_, last = std::min(first + block_, ny()) - 1;
-        fastest = std::max(fastest, rows_speed(rows, to, first, first + 1));
-        fastest = std::max(fastest, rows_speed(rows, to, last, last + 1));
+        flags |= step_block(rows, scratch, block, fastest);
+      }
+#pragma omp single
+      fill_ghost_rows(next());
+      if constexpr (speed_needs_neighbours) {
+#pragma omp for schedule(static)
+        for (int block = 0; block < blocks; ++block) {
+          step_edges(rows, block, fastest);
+        }
       }
     }
   }
-  current_ = to;
+  current_ = next();
   fastest_ = fastest;
   return {(flags & moving) != 0, (flags & changed) != 0, (flags & broken) != 0, outflow(dt)};
 }
@@ -341,7 +365,7 @@ double CpuBackend<Rows, Make>::rain(const SandRain& rain, double dt) {
   for (int j = j_first; j <= j_last; ++j) {
     halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
   }
-  halo_.fill_rows(h_[current_].view(), hu_[current_].view(), hv_[current_].view());
+  fill_ghost_rows(current_);
   const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
   fastest_ = std::max(fastest_, rows_speed(rows, current_, std::max(0, j_first - 1), std::min(ny(), j_last + 2)));
   return gained * config_.grid.spacing * config_.grid.spacing;

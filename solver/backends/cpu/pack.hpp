@@ -30,7 +30,7 @@ SANDSIM_HD typename Pack<R>::mask_type first_lanes(std::ptrdiff_t count) {
 /// The step's numbers in every lane.
 template <class R>
 physics::StepParameters<Pack<R>> broadcast(const physics::StepParameters<R>& p) {
-  return {p.dx, p.g, p.dt, p.dry_depth};
+  return {p.dx, p.g, p.dt, p.dry_depth, p.inverse_dx, p.ratio, p.cell_a_step, p.inverse_g_dt};
 }
 template <class R>
 physics::Material<Pack<R>> broadcast(const physics::Material<R>& m) {

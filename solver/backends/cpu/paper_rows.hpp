@@ -60,7 +60,7 @@ class PaperRows {
                  const FluxRow& north) const;
   SANDSIM_HD static V velocity(const V& momentum, const V& h, const physics::StepParameters<V>& p,
                                bool desingularised) {
-    return desingularised ? physics::desingularised_velocity(momentum, h, p.dx)
+    return desingularised ? physics::desingularised_velocity(momentum, h, p.inverse_dx)
                           : physics::quotient_velocity(momentum, h, p.dry_depth);
   }
 
