@@ -17,7 +17,8 @@ template <class R>
 SANDSIM_HD R desingularised_velocity(R momentum, R h, R inverse_dx) {
   // Divided through by dx^4: h^4 alone leaves the range of float32 for layers that are thin or deep.
   const R ratio = h * inverse_dx, ratio2 = ratio * ratio, ratio4 = ratio2 * ratio2;
-  return constant<R>(1.4142135623730951) * ratio * (momentum * inverse_dx) / square_root(ratio4 + maximum(ratio4, R(1)));
+  return constant<R>(1.4142135623730951) * ratio * (momentum * inverse_dx) /
+         square_root(ratio4 + maximum(ratio4, R(1)));
 }
 
 }  // namespace sandsim::physics
