@@ -12,6 +12,25 @@ struct State {
   R h, hu, hv;  // [m], [m^2/s]
 };
 
+/// What leaves a cell through its faces: mass and momentum along x and y.
+template <class R>
+struct NetFlow {
+  R mass, x, y;
+};
+
+/// The pairs are summed first, then the axes: mirrored and turned states give mirrored and turned results.
+template <bool OneD, class R>
+SANDSIM_HD NetFlow<R> net_flow(const FaceFlux<R>& west, const FaceFlux<R>& east, const FaceFlux<R>& south,
+                               const FaceFlux<R>& north) {
+  NetFlow<R> net{east.mass - west.mass, east.normal - west.normal, east.transverse - west.transverse};
+  if constexpr (!OneD) {
+    net.mass = net.mass + (north.mass - south.mass);
+    net.x = net.x + (north.transverse - south.transverse);
+    net.y = net.y + (north.normal - south.normal);
+  }
+  return net;
+}
+
 /// The parts of a reconstruction that the update needs again.
 template <class R>
 struct CellCore {
@@ -25,15 +44,8 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
                                     const Material<R>& m, const StepParameters<R>& p) {
   const R half = R(0.5f), zero = R(0), k = p.ratio;
   const R h = old.h;
-  // The pairs are summed first, then the axes: mirrored and turned states give mirrored and turned results.
-  R mass = east.mass - west.mass;
-  R flow_x = east.normal - west.normal, flow_y = east.transverse - west.transverse;
-  if constexpr (!OneD) {
-    mass = mass + (north.mass - south.mass);
-    flow_x = flow_x + (north.transverse - south.transverse);
-    flow_y = flow_y + (north.normal - south.normal);
-  }
-  const R h_new = h - k * mass;
+  const NetFlow<R> flow = net_flow<OneD>(west, east, south, north);
+  const R h_new = h - k * flow.mass;
 
   const auto wet = h > p.dry_depth;
   const auto held = wet & (old.hu == zero) & (old.hv == zero) & (c.G <= m.mu);
@@ -57,7 +69,7 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
     push_y = push_y * tame;
   }
 
-  R hu = old.hu - k * (flow_x + push_x), hv = old.hv - k * (flow_y + push_y);
+  R hu = old.hu - k * (flow.x + push_x), hv = old.hv - k * (flow.y + push_y);
   const R grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
   if constexpr (Order == 2) {
     const Slowed<R> slowed = slow_down_turning(hu, hv, old.hu, old.hv, grip);

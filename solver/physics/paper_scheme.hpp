@@ -50,23 +50,17 @@ SANDSIM_HD State<R> paper_update(R h, R u, R v, R surface_west_east, R surface_s
                                  const FaceFlux<R>& east, const FaceFlux<R>& south, const FaceFlux<R>& north,
                                  const Material<R>& m, const StepParameters<R>& p) {
   const R k = p.ratio;
-  R mass = east.mass - west.mass;
-  R flow_x = east.normal - west.normal, flow_y = east.transverse - west.transverse;
-  if constexpr (!OneD) {
-    mass = mass + (north.mass - south.mass);
-    flow_x = flow_x + (north.transverse - south.transverse);
-    flow_y = flow_y + (north.normal - south.normal);
-  }
+  const NetFlow<R> flow = net_flow<OneD>(west, east, south, north);
   const R thickness = hbar(h, m);
   const R push = R(0.5f) * p.g * thickness;
-  R hu = h * u - k * (flow_x + push * surface_west_east);
-  R hv = h * v - k * (flow_y + push * surface_south_north);
+  R hu = h * u - k * (flow.x + push * surface_west_east);
+  R hv = h * v - k * (flow.y + push * surface_south_north);
   const R grip = p.dt * m.mu * p.g * thickness;
   const R factor = friction_factor(OneD ? absolute(hu) : length(hu, hv), grip);
   // Without friction a cell at rest has size = grip = 0 and the factor is 0, which is right as well.
   hu = hu * factor;
   hv = hv * factor;
-  const R h_new = h - k * mass;
+  const R h_new = h - k * flow.mass;
   const auto dries = h_new <= p.dry_depth;
   return {h_new, select(dries, R(0), hu), select(dries, R(0), hv)};
 }
