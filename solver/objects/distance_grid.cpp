@@ -1,0 +1,25 @@
+#include "solver/objects/distance_grid.hpp"
+
+namespace sandsim::objects {
+
+Bounds inside_bounds(const DistanceGrid& grid) {
+  Bounds inside;
+  const DistanceGridView g = view(grid);
+  for (int k = 0; k < g.nz; ++k) {
+    for (int j = 0; j < g.ny; ++j) {
+      for (int i = 0; i < g.nx; ++i) {
+        if (!(g.at(i, j, k) < 0.0)) continue;
+        const Vec3 p = g.origin + g.spacing * Vec3{1.0 * i, 1.0 * j, 1.0 * k};
+        const Vec3 cell{g.spacing, g.spacing, g.spacing};
+        inside.include(p - cell);
+        inside.include(p + cell);
+      }
+    }
+  }
+  if (inside.empty()) return inside;
+  // Nothing is inside beyond the grid's own box.
+  const Vec3 size = g.spacing * Vec3{g.nx - 1.0, g.ny - 1.0, g.nz - 1.0};
+  return intersect(inside, {g.origin, g.origin + size});
+}
+
+}  // namespace sandsim::objects
