@@ -7,6 +7,7 @@
 #include <set>
 #include <variant>
 
+#include "solver/checks_objects.hpp"
 #include "solver/checks_reference.hpp"
 #include "solver/grid_problems.hpp"
 
@@ -45,15 +46,6 @@ bool contains(const Grid& grid, const std::array<double, 2>& point) {
     if (!(point[k] >= own.low[k] && point[k] <= own.high[k])) return false;
   }
   return true;
-}
-
-std::string grid_text(const Grid& grid) {
-  const Extent own = extent(grid);
-  std::string text = "the grid spans x from " + number_text(own.low[0]) + " m to " + number_text(own.high[0]) + " m";
-  if (!grid.one_dimensional()) {
-    text += " and y from " + number_text(own.low[1]) + " m to " + number_text(own.high[1]) + " m";
-  }
-  return text;
 }
 
 // ---- grid -----------------------------------------------------------------------------------------------------------
@@ -287,6 +279,7 @@ std::vector<Issue> check(const Scene& scene) {
   check_sand(scene, issues);
   check_boundaries(scene.boundaries, issues);
   check_time(scene.time, issues);
+  check_objects(scene, issues);
   check_output(scene, issues);
   if (scene.reference) check_reference(scene, issues);
   return issues;

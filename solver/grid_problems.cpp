@@ -15,6 +15,14 @@ std::string number_text(double value) {
   return text.str();
 }
 
+std::string grid_text(const Grid& grid) {
+  const auto span = [&](std::size_t k) {
+    return std::string(k == 0 ? "x" : "y") + " from " + number_text(grid.origin[k]) + " m to " +
+           number_text(grid.origin[k] + grid.cells[k] * grid.spacing) + " m";
+  };
+  return "the grid spans " + span(0) + (grid.one_dimensional() ? "" : " and " + span(1));
+}
+
 void GridProblems::add(const std::string& key, const std::string& problem) {
   lines_ += (lines_.empty() ? "" : "\n") + key + ": " + problem;
 }

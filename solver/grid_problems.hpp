@@ -11,6 +11,9 @@ namespace sandsim {
 /// A number for a message: up to 9 digits.
 std::string number_text(double value);
 
+/// Where the grid lies, for a message: "the grid spans x from 0 m to 1 m", and y with more than one row.
+std::string grid_text(const Grid& grid);
+
 class GridProblems {
  public:
   explicit GridProblems(const Grid& grid) : grid_(grid) {}

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/raster.hpp"
+#include "solver/scene_objects.hpp"
 
 namespace sandsim {
 
@@ -205,6 +206,7 @@ struct Scene {
   Boundaries boundaries;
   TimeControl time;
   Numerics numerics;
+  std::vector<KinematicObject> objects;
   Output output;
   std::optional<Reference> reference;
 };

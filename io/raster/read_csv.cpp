@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "io/raster/source_text.hpp"
@@ -13,8 +12,8 @@ namespace {
 
 constexpr std::size_t most_csv_bytes = std::size_t{1} << 28;
 
-using ColumnNames = std::array<std::string_view, 2>;
-using Columns = std::array<std::vector<double>, 2>;
+using ColumnNames = std::vector<std::string_view>;
+using Columns = std::vector<std::vector<double>>;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\v\f";
@@ -59,10 +58,10 @@ std::vector<std::string_view> split(std::string_view line) {
 }
 
 /// For each column of the file the column of the result. Throws unless the names are there once each and alone.
-std::array<std::size_t, 2> read_header(const SourceText& source, std::string_view line, const ColumnNames& names) {
+std::vector<std::size_t> read_header(const SourceText& source, std::string_view line, const ColumnNames& names) {
   const std::vector<std::string_view> fields = split(line);
-  std::array<std::size_t, 2> order{};
-  std::array<bool, 2> seen{};
+  std::vector<std::size_t> order(fields.size());
+  std::vector<bool> seen(names.size());
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const auto found = std::find(names.begin(), names.end(), fields[k]);
     if (found == names.end()) {
@@ -105,7 +104,7 @@ double read_field(const SourceText& source, std::string_view field, std::string_
 }
 
 void read_row(const SourceText& source, std::string_view line, const ColumnNames& names,
-              const std::array<std::size_t, 2>& order, Columns& columns) {
+              const std::vector<std::size_t>& order, Columns& columns) {
   const std::vector<std::string_view> fields = split(line);
   if (fields.size() != names.size()) {
     source.fail(line, fmt::format("{} fields where there are {} columns. Separate fields by commas and write decimals "
@@ -130,8 +129,8 @@ Columns read_columns(std::string_view text, const std::string& name, const Colum
   if (header.empty()) {
     source.fail_at_end(fmt::format("the file is empty. The first line is \"{}\"", fmt::join(names, ",")));
   }
-  const std::array<std::size_t, 2> order = read_header(source, header, names);
-  Columns columns;
+  const std::vector<std::size_t> order = read_header(source, header, names);
+  Columns columns(names.size());
   for (std::string_view line = lines.take(); !line.empty(); line = lines.take()) {
     read_row(source, line, names, order, columns);
   }
@@ -159,6 +158,19 @@ FrontCurve read_front_csv(std::string_view text, const std::string& name) {
 
 FrontCurve read_front_csv(const std::filesystem::path& path) {
   return read_front_csv(read_file_bytes(path, most_csv_bytes), path.string());
+}
+
+PathTable read_path_csv(std::string_view text, const std::string& name) {
+  Columns columns = read_columns(text, name, {"time_s", "x_m", "y_m", "z_m"});
+  PathTable path{name, std::move(columns[0]), {}};
+  for (std::size_t k = 0; k < path.time.size(); ++k) {
+    path.position.push_back({columns[1][k], columns[2][k], columns[3][k]});
+  }
+  return path;
+}
+
+PathTable read_path_csv(const std::filesystem::path& path) {
+  return read_path_csv(read_file_bytes(path, most_csv_bytes), path.string());
 }
 
 }  // namespace sandsim

@@ -1,4 +1,4 @@
-// Measured or reference curves from CSV files.
+// Measured or reference curves, and the paths of objects, from CSV files.
 //
 // The format: one line of column names, then one line a point. Columns are found by their names, in any order; every
 // name below must be there once and no other. Fields are separated by commas and may have blanks around them; numbers
@@ -7,6 +7,7 @@
 //
 //   profile: x_m,depth_m         deposit or profile: position [m], depth of the sand normal to the bed [m]
 //   front:   time_s,front_m      position of the front [m] over time [s]
+//   path:    time_s,x_m,y_m,z_m  position of an object [m] over time [s]
 //
 // An example:
 //   # Deposit, test 3, read off the laser scan
@@ -32,5 +33,10 @@ Profile read_profile_csv(std::string_view text, const std::string& name);
 FrontCurve read_front_csv(const std::filesystem::path& path);
 /// The same from memory; `name` stands for the file.
 FrontCurve read_front_csv(std::string_view text, const std::string& name);
+
+/// Reads a path (columns time_s, x_m, y_m, z_m); `file` of the result is the path. Throws InputError (file:line:col).
+PathTable read_path_csv(const std::filesystem::path& path);
+/// The same from memory; `name` stands for the file.
+PathTable read_path_csv(std::string_view text, const std::string& name);
 
 }  // namespace sandsim

@@ -1,5 +1,6 @@
 #include "io/scene/format_reference.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -32,20 +33,20 @@ The units of each kind of quantity, the SI unit first:
 
 )";
 
+std::string without_article(const std::string& noun) {
+  return noun.substr(noun.find(' ') + 1);
+}
+
 std::string units_table() {
   std::string text = "| kind | units |\n|---|---|\n";
-  for (const auto& [name, dimension] :
-       {std::pair{"length", Dimension::length}, std::pair{"angle", Dimension::angle},
-        std::pair{"time", Dimension::time}, std::pair{"acceleration", Dimension::acceleration},
-        std::pair{"volume rate", Dimension::volume_rate}}) {
-    text += std::string("| ") + name + " | " + listed(unit_names(dimension, true)) + " |\n";
+  for (const Dimension dimension : all_dimensions) {
+    text += "| " + without_article(noun(dimension)) + " | " + listed(unit_names(dimension, true)) + " |\n";
   }
   return text;
 }
 
 std::string kind_of(const Rule& rule) {
-  const std::string text = noun(rule.dimension);
-  return text.substr(text.find(' ') + 1);
+  return without_article(noun(rule.dimension));
 }
 
 /// Visitor of the table that writes one map's keys, and the maps below it after that.
@@ -63,8 +64,9 @@ class PageWriter {
   }
 
   std::string page() const {
-    return (rows_.empty() ? "" : "\n| key | type | bounds | default | meaning |\n|---|---|---|---|---|\n" + rows_) +
-           sections_;
+    std::string text = table();
+    for (const std::string& section : sections_) text += section;
+    return text;
   }
 
  private:
@@ -100,7 +102,7 @@ class PageWriter {
   std::string type(const std::string&, RasterFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, Profile&, const Rule&) { return "file"; }
   std::string type(const std::string&, FrontCurve&, const Rule&) { return "file"; }
-  std::string type(const std::string&, Reserved&, const Rule&) { return "empty list"; }
+  std::string type(const std::string&, PathTable&, const Rule&) { return "file"; }
   std::string type(const std::string&, ScalarMap&, const Rule& rule) { return kind_of(rule) + ", or a map"; }
 
   template <class T>
@@ -110,7 +112,9 @@ class PageWriter {
   }
   template <class T, std::size_t N>
   std::string type(const std::string& key, std::array<T, N>& values, const Rule& rule) {
-    return "[x, y], each a " + type(key, values[0], rule);
+    const auto first = rule.component_names.begin();
+    const std::string item = type(key, values[0], rule);
+    return '[' + listed({first, first + N}) + "], each " + (item.starts_with('a') ? "an " : "a ") + item;
   }
   template <class T>
   std::string type(const std::string& key, std::vector<T>&, const Rule& rule) {
@@ -151,14 +155,24 @@ class PageWriter {
   void add_section(const std::string& key, T& value, const std::string& type_name, const char* purpose = nullptr) {
     PageWriter members(path_ + key + '.');
     describe(members, value);
-    sections_ += "\n## " + path_ + key + (type_name.empty() ? "" : ", type: " + type_name) + '\n';
-    if (purpose != nullptr) sections_ += '\n' + std::string(purpose) + '\n';
-    sections_ += members.page();
+    std::string section = "\n## " + path_ + key + (type_name.empty() ? "" : ", type: " + type_name) + '\n';
+    if (purpose != nullptr) section += '\n' + std::string(purpose) + '\n';
+    append(section + members.table());
+    for (const std::string& inner : members.sections_) append(inner);
+  }
+
+  /// Maps of one kind under several types, e.g. the rotations of shapes, have one section.
+  void append(const std::string& section) {
+    if (std::find(sections_.begin(), sections_.end(), section) == sections_.end()) sections_.push_back(section);
+  }
+
+  std::string table() const {
+    return rows_.empty() ? "" : "\n| key | type | bounds | default | meaning |\n|---|---|---|---|---|\n" + rows_;
   }
 
   std::string path_;  // with a point at its end
   std::string rows_;
-  std::string sections_;
+  std::vector<std::string> sections_;
 };
 
 }  // namespace

@@ -111,8 +111,8 @@ Members schema_of(const Profile&, const Rule&) {
 Members schema_of(const FrontCurve&, const Rule&) {
   return with_type("string");
 }
-Members schema_of(const Reserved&, const Rule&) {
-  return with_type("array", {{"maxItems", "0"}});
+Members schema_of(const PathTable&, const Rule&) {
+  return with_type("string");
 }
 
 Members schema_of(const ScalarMap&, const Rule& rule) {

@@ -2,16 +2,11 @@
 #pragma once
 
 #include <array>
-#include <string>
-#include <vector>
 
+#include "io/scene/type_name.hpp"
 #include "solver/scene.hpp"
 
 namespace sandsim {
-
-/// Names of an enumeration's values, in their order.
-template <class E>
-struct EnumNames;
 
 template <>
 struct EnumNames<Precision> {
@@ -49,19 +44,6 @@ template <>
 struct EnumNames<Compression> {
   static constexpr std::array names{"none", "gzip"};
 };
-
-template <class E>
-std::vector<std::string> enum_names() {
-  return {EnumNames<E>::names.begin(), EnumNames<E>::names.end()};
-}
-template <class E>
-const char* enum_name(E value) {
-  return EnumNames<E>::names[static_cast<std::size_t>(value)];
-}
-
-/// The `type` under which a scene names one kind of a thing, and what it is.
-template <class T>
-struct TypeName;
 
 template <>
 struct TypeName<FlatTerrain> {

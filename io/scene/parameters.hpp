@@ -6,6 +6,7 @@
 #pragma once
 
 #include "io/scene/names.hpp"
+#include "io/scene/parameters_objects.hpp"
 #include "io/scene/rule.hpp"
 #include "solver/scene.hpp"
 
@@ -215,9 +216,6 @@ void describe(V& v, Reference& r) {
 }
 
 // ---- the scene ------------------------------------------------------------------------------------------------------
-/// A key that is there for a later version and holds an empty list until then.
-struct Reserved {};
-
 template <class V>
 void describe(V& v, Scene& s) {
   v.field("title", s.title, text(), "What the scene is, in a few words.");
@@ -228,8 +226,7 @@ void describe(V& v, Scene& s) {
   v.field("boundaries", s.boundaries, section(), "What happens at the four sides.");
   v.field("time", s.time, section().required().like("{end: 3 s, frame_interval: 20 ms}"), "Steps and frames.");
   v.field("numerics", s.numerics, section(), "Scheme and precision.");
-  Reserved objects;
-  v.field("objects", objects, list(), "Kinematic objects: not in this version, so the list is empty.");
+  v.field("objects", s.objects, list(), "Bodies that move as they are told and push the sand.");
   v.field("output", s.output, section(), "What is written.");
   v.field("reference", s.reference, section(), "What the error of the run is taken against.");
 }

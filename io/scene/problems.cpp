@@ -114,6 +114,10 @@ std::string alternatives(const std::vector<std::string>& words) {
   return join(words, " or ");
 }
 
+std::string together(const std::vector<std::string>& words) {
+  return join(words, " and ");
+}
+
 std::string listed(const std::vector<std::string>& words) {
   return join(words, ", ");
 }

@@ -52,6 +52,9 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& words);
 
+/// "a, b and c".
+std::string together(const std::vector<std::string>& words);
+
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

@@ -13,6 +13,9 @@ namespace {
 constexpr std::array<Unit, 4> lengths{{{"m", 1, 1}, {"cm", 1, 100}, {"mm", 1, 1000}, {"km", 1000, 1}}};
 constexpr std::array<Unit, 2> angles{{{"rad", 1, 1}, {"deg", std::numbers::pi, 180}}};
 constexpr std::array<Unit, 4> times{{{"s", 1, 1}, {"ms", 1, 1000}, {"min", 60, 1}, {"h", 3600, 1}}};
+constexpr std::array<Unit, 4> speeds{{{"m/s", 1, 1}, {"cm/s", 1, 100}, {"mm/s", 1, 1000}, {"km/h", 1000, 3600}}};
+constexpr std::array<Unit, 3> angular_velocities{
+    {{"rad/s", 1, 1}, {"deg/s", std::numbers::pi, 180}, {"rpm", std::numbers::pi, 30}}};
 constexpr std::array<Unit, 2> accelerations{{{"m/s^2", 1, 1}, {"cm/s^2", 1, 100}}};
 constexpr std::array<Unit, 3> volume_rates{{{"m^3/s", 1, 1}, {"l/s", 1, 1000}, {"cm^3/s", 1, 1'000'000}}};
 
@@ -89,8 +92,7 @@ std::string_view without_spaces(std::string_view text) {
 
 /// The dimension that a unit belongs to.
 std::optional<Dimension> dimension_of(std::string_view unit) {
-  for (const Dimension dimension :
-       {Dimension::length, Dimension::angle, Dimension::time, Dimension::acceleration, Dimension::volume_rate}) {
+  for (const Dimension dimension : all_dimensions) {
     for (const Unit& candidate : units(dimension)) {
       if (unit == candidate.name) return dimension;
     }
@@ -123,6 +125,10 @@ std::span<const Unit> units(Dimension dimension) {
       return angles;
     case Dimension::time:
       return times;
+    case Dimension::speed:
+      return speeds;
+    case Dimension::angular_velocity:
+      return angular_velocities;
     case Dimension::acceleration:
       return accelerations;
     case Dimension::volume_rate:
@@ -141,6 +147,10 @@ const char* noun(Dimension dimension) {
       return "an angle";
     case Dimension::time:
       return "a time";
+    case Dimension::speed:
+      return "a speed";
+    case Dimension::angular_velocity:
+      return "an angular velocity";
     case Dimension::acceleration:
       return "an acceleration";
     case Dimension::volume_rate:
@@ -159,6 +169,10 @@ const char* example(Dimension dimension) {
       return "30 deg";
     case Dimension::time:
       return "20 ms";
+    case Dimension::speed:
+      return "30 cm/s";
+    case Dimension::angular_velocity:
+      return "90 deg/s";
     case Dimension::acceleration:
       return "9.8 m/s^2";
     case Dimension::volume_rate:

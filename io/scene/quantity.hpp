@@ -1,6 +1,7 @@
 // Numbers with units: "5 cm", "30 deg". Strict: one way to write a number, and no unit is ever assumed.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,7 +12,11 @@
 
 namespace sandsim {
 
-enum class Dimension { none, length, angle, time, acceleration, volume_rate };
+enum class Dimension { none, length, angle, time, speed, angular_velocity, acceleration, volume_rate };
+/// All but `none`, in the order in which they are documented.
+inline constexpr std::array all_dimensions{
+    Dimension::length,           Dimension::angle,        Dimension::time,       Dimension::speed,
+    Dimension::angular_velocity, Dimension::acceleration, Dimension::volume_rate};
 
 /// One unit is numerator/denominator of the SI unit. Dividing keeps "7 cm" the double nearest to 0.07.
 struct Unit {

@@ -272,4 +272,8 @@ void Reading::parse(const Node& node, const std::string& path, FrontCurve& targe
   parse_table(node, path, target, rule, [](const std::filesystem::path& full) { return read_front_csv(full); });
 }
 
+void Reading::parse(const Node& node, const std::string& path, PathTable& target, const Rule& rule) {
+  parse_table(node, path, target, rule, [](const std::filesystem::path& full) { return read_path_csv(full); });
+}
+
 }  // namespace sandsim

@@ -40,8 +40,6 @@ class SceneWriter {
     }
   }
 
-  void write(const std::string&, Reserved&, const Rule&) {}
-
   template <class T>
   void write(const std::string& key, std::optional<T>& value, const Rule& rule) {
     if (value) write(key, *value, rule);
@@ -95,6 +93,7 @@ class SceneWriter {
   RasterFile located(const RasterFile& value) const { return {moved(value.file), value.data}; }
   Profile located(const Profile& value) const { return {moved(value.file), {}, {}}; }
   FrontCurve located(const FrontCurve& value) const { return {moved(value.file), {}, {}}; }
+  PathTable located(const PathTable& value) const { return {moved(value.file), {}, {}}; }
   ScalarMap located(const ScalarMap& value) const {
     const RasterFile* file = std::get_if<RasterFile>(&value);
     return file == nullptr ? value : ScalarMap(located(*file));

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "io/scene/quantity.hpp"
 
@@ -18,12 +19,13 @@ struct Rule {
   bool low_excluded = false;
   bool high_excluded = false;
   bool is_required = false;
-  bool has_cells = true;           // lengths in "cells" are allowed
-  bool is_single_allowed = false;  // lists: one entry may stand for the list
-  bool is_empty_allowed = true;    // lists
-  bool may_be_missing = false;     // files: missing is a warning
-  bool applies = true;             // false: giving the key is an error
-  std::string only_with;           // "mode: fixed": when it applies
+  bool has_cells = true;                                    // lengths in "cells" are allowed
+  bool is_single_allowed = false;                           // lists: one entry may stand for the list
+  bool is_empty_allowed = true;                             // lists
+  bool may_be_missing = false;                              // files: missing is a warning
+  bool applies = true;                                      // false: giving the key is an error
+  std::string only_with;                                    // "mode: fixed": when it applies
+  std::vector<std::string> component_names{"x", "y", "z"};  // arrays: what their values are, in their order
   std::string example_text;
 
   Rule at_least(double bound) const {
@@ -56,6 +58,9 @@ struct Rule {
   /// The key belongs to one value of a key read before, e.g. only(time.mode == TimeMode::fixed, "mode: fixed").
   Rule only(bool condition, std::string when) const {
     return with([&](Rule& r) { r.applies = condition, r.only_with = when; });
+  }
+  Rule components(std::vector<std::string> names) const {
+    return with([&](Rule& r) { r.component_names = names; });
   }
   Rule like(std::string text) const {
     return with([&](Rule& r) { r.example_text = text; });
@@ -107,6 +112,12 @@ inline Rule angle() {
 }
 inline Rule time_span() {
   return quantity(Dimension::time);
+}
+inline Rule speed() {
+  return quantity(Dimension::speed);
+}
+inline Rule angular_velocity() {
+  return quantity(Dimension::angular_velocity);
 }
 inline Rule acceleration() {
   return quantity(Dimension::acceleration);

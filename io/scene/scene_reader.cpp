@@ -88,12 +88,6 @@ class MapReader {
     }
   }
 
-  void read(const Node& node, const std::string& path, Reserved&, const Rule&) {
-    if (node.kind == Node::Kind::list && node.children.empty()) return;
-    reading_.complain_key(node.position, path,
-                          {"not in this version", "kinematic objects come in a later one", "Remove it, or write []."});
-  }
-
   template <class T>
   void read(const Node& node, const std::string& path, std::optional<T>& target, const Rule& rule) {
     T value{};
@@ -105,9 +99,12 @@ class MapReader {
   void read(const Node& node, const std::string& path, std::array<T, N>& target, const Rule& rule) {
     if (!reading_.expect(node, path, Node::Kind::list, rule.example())) return;
     if (node.children.size() != N) {
-      reading_.complain(node, path,
-                        {"two values are needed, x and y", "these are " + std::to_string(node.children.size()),
-                         "Write them like " + rule.example() + "."});
+      constexpr std::array counts{"two", "three", "four"};
+      const auto first = rule.component_names.begin();
+      reading_.complain(
+          node, path,
+          {std::string(counts.at(N - 2)) + " values are needed, " + together({first, first + N}),
+           "these are " + std::to_string(node.children.size()), "Write them like " + rule.example() + "."});
       return;
     }
     for (std::size_t k = 0; k < N; ++k) read_item(node.children[k], path, k, target[k], rule);

@@ -1,5 +1,6 @@
 #include "solver/objects/rotation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace sandsim::objects {
@@ -38,17 +39,24 @@ double excess_ratio(double angle) {
 
 }  // namespace
 
+Vec3 normalized(const Vec3& v) {
+  const Quaternion q = normalized(Quaternion{0.0, v.x, v.y, v.z});
+  return q.vector();
+}
+
 Quaternion normalized(const Quaternion& q) {
-  const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  if (!(size > 0.0) || !std::isfinite(size)) throw std::invalid_argument("a quaternion of length 0 is no rotation");
-  return {q.w / size, q.x / size, q.y / size, q.z / size};
+  // First by the largest component, so that no square underflows or overflows.
+  const double largest = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+  if (!(largest > 0.0) || !std::isfinite(largest)) throw std::invalid_argument("what has no length has no direction");
+  const Quaternion p{q.w / largest, q.x / largest, q.y / largest, q.z / largest};
+  const double size = std::sqrt(p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z);
+  return {p.w / size, p.x / size, p.y / size, p.z / size};
 }
 
 Quaternion from_axis_angle(const Vec3& axis, double angle) {
-  const double size = length(axis);
-  if (!(size > 0.0) || !std::isfinite(size)) throw std::invalid_argument("an axis of length 0 has no direction");
+  const Vec3 unit = normalized(axis);
   const double sine = std::sin(0.5 * angle);
-  return normalized({std::cos(0.5 * angle), sine * (axis.x / size), sine * (axis.y / size), sine * (axis.z / size)});
+  return normalized(Quaternion{std::cos(0.5 * angle), sine * unit.x, sine * unit.y, sine * unit.z});
 }
 
 Quaternion from_euler(double roll, double pitch, double yaw) {
@@ -58,7 +66,7 @@ Quaternion from_euler(double roll, double pitch, double yaw) {
 Quaternion exponential(const Vec3& v) {
   const double angle = length(v);
   const Vec3 part = half_sine_ratio(angle) * v;
-  return normalized({std::cos(0.5 * angle), part.x, part.y, part.z});
+  return normalized(Quaternion{std::cos(0.5 * angle), part.x, part.y, part.z});
 }
 
 Vec3 logarithm(const Quaternion& q) {

@@ -5,6 +5,9 @@
 
 namespace sandsim::objects {
 
+/// The vector scaled to length 1. Throws std::invalid_argument if it is 0 or not finite.
+Vec3 normalized(const Vec3& v);
+
 /// The quaternion scaled to length 1. Throws std::invalid_argument if its length is 0 or not finite.
 Quaternion normalized(const Quaternion& q);
 

@@ -28,5 +28,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require_curve(front.time, front.front);
   } catch (const sandsim::InputError&) {
   }
+  try {
+    const sandsim::PathTable path = sandsim::read_path_csv(text, "fuzz.csv");
+    if (path.time.size() != path.position.size() || path.time.size() < 2) std::abort();
+  } catch (const sandsim::InputError&) {
+  }
   return 0;
 }

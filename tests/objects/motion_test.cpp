@@ -192,7 +192,9 @@ TEST_CASE("rotations are what their numbers say") {
   CHECK(difference(rotate(from_euler(0, 0.5 * pi, 0), x), {0, 0, -1}) < precise);
   // Roll first, yaw last: z goes to -y by the roll and on to x by the yaw.
   CHECK(difference(rotate(from_euler(0.5 * pi, 0, 0.5 * pi), {0, 0, 1}), x) < precise);
-  CHECK_THROWS_AS(normalized({0, 0, 0, 0}), std::invalid_argument);
+  CHECK_THROWS_AS(normalized(Quaternion{0, 0, 0, 0}), std::invalid_argument);
+  CHECK(difference(normalized(Vec3{0, 3e-200, 4e-200}), {0, 0.6, 0.8}) < precise);
+  CHECK(difference(normalized(Vec3{0, 3e200, 4e200}), {0, 0.6, 0.8}) < precise);
   CHECK_THROWS_AS(from_axis_angle({0, 0, 0}, 1.0), std::invalid_argument);
 }
 

@@ -28,6 +28,16 @@ TEST_CASE("columns are found by their names in any order") {
   CHECK(front.front == std::vector<double>{1, 2});
 }
 
+TEST_CASE("a path has three coordinates a time") {
+  const PathTable path = read_path_csv("time_s,z_m,y_m,x_m\n0,3,2,1\n2,6,5,4\n", "a.csv");
+
+  CHECK(path.time == std::vector<double>{0, 2});
+  CHECK(path.position.at(0) == std::array<double, 3>{1, 2, 3});
+  CHECK(path.position.at(1) == std::array<double, 3>{4, 5, 6});
+  CHECK(test::input_error([] { read_path_csv("time_s,x_m,y_m\n0,1,2\n1,2,3\n", "a.csv"); }) ==
+        "a.csv:1:1: the column z_m is missing. The first line is \"time_s,x_m,y_m,z_m\"");
+}
+
 TEST_CASE("column names that are missing or doubled or unknown are errors") {
   CHECK(error("x_m\n0\n") == "a.csv:1:1: the column depth_m is missing. The first line is \"x_m,depth_m\"");
   CHECK(error("x_m,x_m\n") == "a.csv:1:5: the column x_m is there twice. Remove one");

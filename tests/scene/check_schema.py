@@ -33,7 +33,8 @@ REJECTED = (
     "unknown_key", "misspelt_key", "missing_sections", "missing_type", "unknown_type", "no_unit", "no_unit_in_list",
     "wrong_kind_of_unit", "unknown_unit", "spacing_in_cells", "unit_on_a_number", "quoted_number", "scalar_for_a_list",
     "scalar_for_a_map", "one_value_of_two", "misspelt_word", "yes_for_true", "scale_out_of_range", "order_three",
-    "objects", "empty_list", "null_value", "map_without_unit",
+    "empty_list", "null_value", "map_without_unit", "object_unknown_shape", "object_two_sizes",
+    "object_speed_in_metres", "object_unknown_motion",
 )
 
 

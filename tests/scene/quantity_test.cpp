@@ -35,6 +35,13 @@ TEST_CASE("every unit converts to SI") {
   CHECK(value("2 ms", Dimension::time) == 0.002);
   CHECK(value("2 min", Dimension::time) == 120.0);
   CHECK(value("2 h", Dimension::time) == 7200.0);
+  CHECK(value("3 m/s", Dimension::speed) == 3.0);
+  CHECK(value("3 cm/s", Dimension::speed) == 0.03);
+  CHECK(value("3 mm/s", Dimension::speed) == 0.003);
+  CHECK(value("36 km/h", Dimension::speed) == 10.0);
+  CHECK(value("3 rad/s", Dimension::angular_velocity) == 3.0);
+  CHECK(value("180 deg/s", Dimension::angular_velocity) == std::numbers::pi);
+  CHECK(value("1 rpm", Dimension::angular_velocity) == std::numbers::pi / 30);
   CHECK(value("9.81 m/s^2", Dimension::acceleration) == 9.81);
   CHECK(value("981 cm/s^2", Dimension::acceleration) == 9.81);
   CHECK(value("2 m^3/s", Dimension::volume_rate) == 2.0);

@@ -33,6 +33,20 @@ const std::vector<std::vector<std::string>> variations = {
     {"reference={}"},
     {"reference={exact: {type: dam_break, dam: 7 cm, depth: 3 cm}, front_depths: 1 mm, profile: data/profile.csv}"},
     {"reference={measured_profile: later.csv, measured_front: data/front.csv}"},
+    {"objects=[{name: a, shape: {type: sphere, radius: 1 cm}, position: [3 cm, 0 m, 1 cells], coupling: solid}]"},
+    {"objects=[{name: a, shape: {type: box, size: [1 cm, 2 cm, 3 cm], rotation: {euler: [1 deg, 2 deg, 3 deg]}}, "
+     "position: [3 cm, 0 m, 0 m], coupling: drag, vertical: printed, start: 0.1 s, end: 0.3 s}]"},
+    {"objects=[{name: a, shape: {type: csg, operation: difference, parts: [{type: half_space, normal: [1, 2, 3]}, "
+     "{type: brush, radius: 1 cm, height: 0.1 m, position: [1 mm, 2 mm, 3 mm]}]}, "
+     "rotation: {axis: [1, 0, 2], angle: 7 deg}, motion: {type: spin, rate: 7 rpm, center: [0 m, 0 m, 1 m]}}]"},
+    {"objects=[{name: a, shape: {type: capsule, radius: 1 cm, length: 9 cm}, motion: {type: keyframes, interpolation: "
+     "cubic, keyframes: [{time: 0 s, position: [3 cm, 0 m, 0 m], rotation: {quaternion: [1, 2, 3, 4]}}]}}]"},
+    {"objects=[{name: a, shape: {type: ellipsoid, radii: [1 cm, 2 cm, 1 m]}, motion: {type: path, file: "
+     "data/path.csv}},"
+     " {name: b, shape: {type: cone, radius: 1 cm, height: 1 m}, motion: {type: constant, velocity: [7 km/h, 0 m/s, "
+     "0 m/s], angular_velocity: [0 rad/s, 3 deg/s, 7 rpm]}}]"},
+    {"objects=[{name: a, shape: {type: cylinder, radius: 1 cm, height: 3 mm}, motion: {type: stroke, points: [{time: "
+     "0 s, position: [3 cm, 0 m, 0 m]}, {time: 7 ms, position: [7 cm, 0 m, 0 m]}]}}]"},
 };
 
 }  // namespace
