@@ -1,0 +1,39 @@
+// Triangle meshes: what may be wrong with them, and how much of it can be put right.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solver/objects/bounds.hpp"
+
+namespace sandsim::objects {
+
+/// Counterclockwise triangles when looked at from outside.
+struct TriangleMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices, in range
+};
+
+/// The box around all vertices that triangles use.
+Bounds bounds(const TriangleMesh& mesh);
+
+/// What is not as in a closed surface. Vertices at the same coordinates count as one.
+struct MeshDefects {
+  std::size_t open_edges = 0;            // with one triangle
+  std::size_t non_manifold_edges = 0;    // with more than two
+  std::size_t flipped_triangles = 0;     // against most of the area that they hang together with; turned round
+  std::size_t degenerate_triangles = 0;  // with two corners at one place; left out
+
+  bool is_closed() const { return open_edges == 0 && non_manifold_edges == 0; }
+};
+
+/// A mesh whose vertices are welded and whose triangles are consistently turned where edges join two of them.
+struct RepairedMesh {
+  TriangleMesh mesh;
+  MeshDefects defects;
+};
+RepairedMesh repair(const TriangleMesh& mesh);
+
+}  // namespace sandsim::objects
