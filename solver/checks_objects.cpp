@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "solver/grid_problems.hpp"
+#include "solver/objects/distance_grid.hpp"
+#include "solver/objects/mesh.hpp"
 #include "solver/objects/object.hpp"
 
 namespace sandsim {
@@ -17,6 +20,30 @@ using Issues = std::vector<Issue>;
 template <std::size_t N>
 bool is_zero(const std::array<double, N>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
+}
+
+// The reader has complained about a file or a list without which these are false.
+bool is_read(const MeshFile& file) {
+  return file.mesh && !file.mesh->triangles.empty();
+}
+bool is_read(const SdfFile& file) {
+  return file.distance && !file.distance->values.empty();
+}
+bool is_read(const ObjectShape& shape) {
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return is_read(mesh->file);
+  if (const auto* sdf = std::get_if<SdfShape>(&shape)) return is_read(sdf->file);
+  return true;
+}
+bool is_read(const ObjectMotion& motion) {
+  if (const auto* m = std::get_if<Keyframes>(&motion)) return !m->keyframes.empty();
+  if (const auto* m = std::get_if<Path>(&motion)) return !m->file.time.empty();
+  if (const auto* m = std::get_if<Stroke>(&motion)) return !m->points.empty();
+  return true;
+}
+
+/// Lengths far beyond those of sand: their squares and cubes could overflow. [m]
+bool is_reasonable(double length) {
+  return length > 1e-9 && length < 1e9;
 }
 
 void check_rotation(const std::string& key, const std::optional<Rotation>& rotation, Issues& issues) {
@@ -73,6 +100,44 @@ struct ShapeChecks {
     }
     for (std::size_t k = 0; k < csg.parts.size(); ++k) {
       std::visit(ShapeChecks{key + ".parts." + std::to_string(k), issues}, csg.parts[k]);
+    }
+  }
+
+  void check_own(const MeshShape& shape) const {
+    if (!is_read(shape.file)) return;
+    const objects::TriangleMesh& mesh = *shape.file.mesh;
+    const objects::Vec3 size = objects::bounds(mesh).high - objects::bounds(mesh).low;
+    const double side = std::max({size.x, size.y, size.z});
+    if (!objects::has_area(mesh)) {
+      issues.push_back({key + ".file", "the mesh is no surface", "none of its triangles has an area", "", {}});
+    } else if (!is_reasonable(side) || !is_reasonable(side * objects::factor(shape))) {
+      issues.push_back({key + ".file",
+                        "the mesh is too small or too large",
+                        "its longest side is " + number_text(side) + " in the file and " +
+                            number_text(side * objects::factor(shape)) + " m in the scene",
+                        "Set unit and scale.",
+                        {key + ".unit", key + ".scale"}});
+    }
+  }
+  void check_own(const SdfShape& sdf) const {
+    if (!is_read(sdf.file)) return;
+    const bool knows_place = sdf.file.distance->spacing > 0.0;
+    for (const auto& [name, is_given] :
+         {std::pair{".spacing", sdf.spacing.has_value()}, std::pair{".origin", sdf.origin.has_value()}}) {
+      if (knows_place != is_given) continue;
+      issues.push_back({key + name,
+                        is_given ? "not used" : "missing",
+                        is_given ? "the file knows it" : "an array does not know it",
+                        is_given ? "Remove it." : "",
+                        {key + ".file"}});
+    }
+    const double spacing = sdf.spacing.value_or(sdf.file.distance->spacing);
+    if (spacing > 0.0 && !(is_reasonable(spacing) && is_reasonable(sdf.scale) && is_reasonable(spacing * sdf.scale))) {
+      issues.push_back({key + ".scale",
+                        "the samples are too near or too far apart",
+                        "their distance is " + number_text(spacing * sdf.scale) + " m",
+                        "",
+                        {key + ".spacing"}});
     }
   }
 };
@@ -133,20 +198,17 @@ void check_times(const Scene& scene, const KinematicObject& object, const std::s
   }
 }
 
-/// False while the reader has complained about a list or table that is empty.
-bool has_positions(const ObjectMotion& motion) {
-  if (const auto* m = std::get_if<Keyframes>(&motion)) return !m->keyframes.empty();
-  if (const auto* m = std::get_if<Path>(&motion)) return !m->file.time.empty();
-  if (const auto* m = std::get_if<Stroke>(&motion)) return !m->points.empty();
-  return true;
-}
-
 /// An object that nothing else is wrong with has to start over the grid: what is far off is a slip in its numbers.
 void check_place(const Scene& scene, const KinematicObject& object, const std::string& key, Issues& issues) {
   const objects::Bounds box =
-      objects::make_shape(object.shape).bounds(objects::at(objects::make_motion(object), object.start).pose);
+      objects::bounds(object.shape, objects::at(objects::make_motion(object), object.start).pose);
   if (box.empty()) {
-    issues.push_back({key + ".shape", "nothing is inside", "the set operation leaves no volume", "", {key}});
+    issues.push_back({key + ".shape",
+                      "nothing is inside",
+                      std::holds_alternative<CsgShape>(object.shape) ? "the set operation leaves no volume"
+                                                                     : "no sample is negative",
+                      "",
+                      {key}});
     return;
   }
   const Grid& grid = scene.grid;
@@ -168,7 +230,8 @@ void check_object(const Scene& scene, const KinematicObject& object, const std::
   std::visit(MotionChecks{key + ".motion", issues}, object.motion);
   check_rotation(key + ".rotation", object.rotation, issues);
   check_times(scene, object, key, issues);
-  if (issues.size() == before && has_positions(object.motion)) check_place(scene, object, key, issues);
+  if (issues.size() == before && is_read(object.shape) && is_read(object.motion))
+    check_place(scene, object, key, issues);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,12 +12,18 @@
 
 namespace sandsim {
 
+namespace objects {
+struct TriangleMesh;
+struct DistanceGrid;
+}  // namespace objects
+
 /// displace: the sand that an object overlaps is moved out of its way. drag: it takes on the object's velocity (section
 /// 5 of the paper). solid: no sand enters.
 enum class Coupling { displace, drag, solid };
 /// Of drag: how an object's vertical velocity moves sand sideways. eq. 23 per component, eq. 24 as printed, not at all.
 enum class VerticalTransfer { derived, printed, none };
 enum class SetOperation { unite, intersect, subtract };
+enum class MeshUnit { m, cm, mm, inch };
 
 // ---- where things lie -----------------------------------------------------------------------------------------------
 /// Exactly one of the three is set; with an axis the angle too.
@@ -83,8 +90,35 @@ struct CsgShape {
   Placement placement;
 };
 
+struct MeshFile {
+  std::string file;                                       // as written in the scene
+  std::shared_ptr<const objects::TriangleMesh> mesh;      // never null in a scene that was read
+  std::shared_ptr<const objects::DistanceGrid> distance;  // null until it has been baked
+};
+/// Triangles, turned into a sampled signed distance when the run starts.
+struct MeshShape {
+  MeshFile file;
+  MeshUnit unit = MeshUnit::m;  // of the file's coordinates
+  double scale = 1.0;
+  int resolution = 96;  // samples along the longest side of the mesh
+  Placement placement;
+};
+
+struct SdfFile {
+  std::string file;                                       // as written in the scene
+  std::shared_ptr<const objects::DistanceGrid> distance;  // never null in a scene that was read
+};
+/// A signed distance that a file holds, in metres, negative inside.
+struct SdfShape {
+  SdfFile file;
+  std::optional<double> spacing;                // [m] set if the file knows none, as .npy
+  std::optional<std::array<double, 3>> origin;  // [m] likewise: the first sample
+  double scale = 1.0;
+  Placement placement;
+};
+
 using ObjectShape = std::variant<SphereShape, BoxShape, CapsuleShape, CylinderShape, ConeShape, EllipsoidShape,
-                                 HalfSpaceShape, BrushShape, CsgShape>;
+                                 HalfSpaceShape, BrushShape, CsgShape, MeshShape, SdfShape>;
 
 // ---- motions --------------------------------------------------------------------------------------------------------
 struct FixedMotion {};

@@ -1,62 +1,15 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "io/raster/limits.hpp"
 #include "io/raster/npy_header.hpp"
+#include "io/raster/npy_items.hpp"
 #include "io/raster/read_raster.hpp"
 #include "solver/errors.hpp"
 
 namespace sandsim {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the values are swapped on this assumption");
-
-template <typename T>
-T load(const char* bytes, bool big_endian) {
-  char item[sizeof(T)];
-  std::memcpy(item, bytes, sizeof(T));
-  if (big_endian) {
-    std::reverse(item, item + sizeof(T));
-  }
-  T value;
-  std::memcpy(&value, item, sizeof(T));
-  return value;
-}
-
-/// One value of the header's type as a double, and whether it is one: large integers have no double.
-struct Item {
-  double value = 0.0;
-  bool exact = true;
-};
-
-template <typename T>
-Item load_integer(const char* bytes, bool big_endian) {
-  constexpr double largest_exact = 9007199254740992.0;  // 2^53
-  const double value = static_cast<double>(load<T>(bytes, big_endian));
-  return {value, std::abs(value) <= largest_exact};
-}
-
-Item load_item(const char* bytes, const NpyHeader& header) {
-  const bool swap = header.big_endian;
-  if (header.kind == 'f') {
-    return {header.item_size == 4 ? static_cast<double>(load<float>(bytes, swap)) : load<double>(bytes, swap), true};
-  }
-  const bool is_signed = header.kind == 'i';
-  switch (header.item_size) {
-    case 1:
-      return is_signed ? load_integer<std::int8_t>(bytes, swap) : load_integer<std::uint8_t>(bytes, swap);
-    case 2:
-      return is_signed ? load_integer<std::int16_t>(bytes, swap) : load_integer<std::uint16_t>(bytes, swap);
-    case 4:
-      return is_signed ? load_integer<std::int32_t>(bytes, swap) : load_integer<std::uint32_t>(bytes, swap);
-    default:
-      return is_signed ? load_integer<std::int64_t>(bytes, swap) : load_integer<std::uint64_t>(bytes, swap);
-  }
-}
 
 std::string shape_text(const std::vector<std::uint64_t>& shape) {
   return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
@@ -101,7 +54,7 @@ Raster read_npy(std::string_view bytes, const std::string& name) {
   for (std::size_t row = 0; row < raster.ny; ++row) {
     for (std::size_t column = 0; column < raster.nx; ++column) {
       const std::size_t place = header.fortran_order ? column * raster.ny + row : row * raster.nx + column;
-      const auto [value, exact] = load_item(data.data() + place * header.item_size, header);
+      const auto [value, exact] = load_npy_item(data.data() + place * header.item_size, header);
       if (std::isinf(value) || !exact) {
         throw InputError(fmt::format(
             "{}: the value {} in row {}, column {} (counted from 0) {}", name, value, row, column,

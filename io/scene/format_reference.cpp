@@ -102,6 +102,8 @@ class PageWriter {
   std::string type(const std::string&, RasterFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, Profile&, const Rule&) { return "file"; }
   std::string type(const std::string&, FrontCurve&, const Rule&) { return "file"; }
+  std::string type(const std::string&, MeshFile&, const Rule&) { return "file"; }
+  std::string type(const std::string&, SdfFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, PathTable&, const Rule&) { return "file"; }
   std::string type(const std::string&, ScalarMap&, const Rule& rule) { return kind_of(rule) + ", or a map"; }
 

@@ -111,6 +111,12 @@ Members schema_of(const Profile&, const Rule&) {
 Members schema_of(const FrontCurve&, const Rule&) {
   return with_type("string");
 }
+Members schema_of(const MeshFile&, const Rule&) {
+  return with_type("string");
+}
+Members schema_of(const SdfFile&, const Rule&) {
+  return with_type("string");
+}
 Members schema_of(const PathTable&, const Rule&) {
   return with_type("string");
 }

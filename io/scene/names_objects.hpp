@@ -19,6 +19,10 @@ struct EnumNames<SetOperation> {
   static constexpr std::array names{"union", "intersection", "difference"};
 };
 template <>
+struct EnumNames<MeshUnit> {
+  static constexpr std::array names{"m", "cm", "mm", "in"};
+};
+template <>
 struct EnumNames<objects::Interpolation> {
   static constexpr std::array names{"linear", "cubic"};
 };
@@ -67,6 +71,18 @@ template <>
 struct TypeName<CsgShape> {
   static constexpr const char* name = "csg";
   static constexpr const char* purpose = "Constructive solid geometry: several shapes joined by a set operation.";
+};
+template <>
+struct TypeName<MeshShape> {
+  static constexpr const char* name = "mesh";
+  static constexpr const char* purpose =
+      "Triangles from a file. When the run starts they are turned into a sampled signed distance; the mesh should be "
+      "closed.";
+};
+template <>
+struct TypeName<SdfShape> {
+  static constexpr const char* name = "sdf";
+  static constexpr const char* purpose = "A sampled signed distance from a file, in metres, negative inside.";
 };
 
 template <>

@@ -5,6 +5,7 @@
 
 #include "io/scene/names_objects.hpp"
 #include "io/scene/rule.hpp"
+#include "solver/objects/bake.hpp"
 #include "solver/scene_objects.hpp"
 
 namespace sandsim {
@@ -89,6 +90,27 @@ void describe(V& v, CsgShape& s) {
   describe(v, s.placement);
 }
 
+template <class V>
+void describe(V& v, MeshShape& s) {
+  v.field("file", s.file, file().required().like("car.obj"),
+          "OBJ, STL or PLY; a relative name is relative to the scene file.");
+  v.field("unit", s.unit, choice(), "Unit of the coordinates in the file.");
+  v.field("scale", s.scale, number().above(0), "Factor on the coordinates.");
+  v.field("resolution", s.resolution, number().at_least(objects::least_resolution).at_most(objects::most_resolution),
+          "Samples of the signed distance along the longest side of the mesh.");
+  describe(v, s.placement);
+}
+
+template <class V>
+void describe(V& v, SdfShape& s) {
+  v.field("file", s.file, file().required().like("car.sdf"),
+          "SDFGen's .sdf, or a .npy array with the dimensions z, y, x; a relative name is relative to the scene file.");
+  v.field("spacing", s.spacing, length().above(0).like("1 mm"), "Distance of the samples; with a .npy file.");
+  v.field("origin", s.origin, length().like("[0 m, 0 m, 0 m]"), "Place of the first sample; with a .npy file.");
+  v.field("scale", s.scale, number().above(0), "Factor on all lengths in the file.");
+  describe(v, s.placement);
+}
+
 // ---- motions --------------------------------------------------------------------------------------------------------
 template <class V>
 void describe(V&, FixedMotion&) {}
@@ -160,6 +182,9 @@ void describe(V& v, KinematicObject& o) {
           "no sand enters.");
   v.field("vertical", o.vertical, choice().only(o.coupling == Coupling::drag, "coupling: drag"),
           "How vertical motion pushes sand sideways: eq. 23 per component, eq. 24 as printed, or not at all.");
+  const bool is_sampled = std::holds_alternative<MeshShape>(o.shape) || std::holds_alternative<SdfShape>(o.shape);
+  v.field("sample_spacing", o.sample_spacing, length().above(0).only(is_sampled, "shape: mesh or sdf"),
+          "Distance of the samples along a column of sand; without it, the grid's spacing.");
   v.field("start", o.start, time_span().at_least(0), "The object is there from then on.");
   v.field("end", o.end, time_span().above(0), "And until then; without it, to the end of the run.");
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "io/mesh/read_mesh.hpp"
+#include "io/mesh/read_sdf.hpp"
 #include "io/raster/read_csv.hpp"
 #include "io/raster/read_raster.hpp"
 #include "io/scene/value_text.hpp"
@@ -270,6 +272,30 @@ void Reading::parse(const Node& node, const std::string& path, Profile& target, 
 
 void Reading::parse(const Node& node, const std::string& path, FrontCurve& target, const Rule& rule) {
   parse_table(node, path, target, rule, [](const std::filesystem::path& full) { return read_front_csv(full); });
+}
+
+void Reading::parse(const Node& node, const std::string& path, MeshFile& target, const Rule& rule) {
+  auto mesh = std::make_shared<objects::TriangleMesh>();
+  if (const std::filesystem::path full = find_file(node, path, rule); !full.empty()) {
+    try {
+      *mesh = read_mesh(full);
+    } catch (const InputError& error) {
+      complain_input(node, path, {"the mesh cannot be read", error.what(), ""});
+    }
+  }
+  target = {node.text, std::move(mesh), nullptr};
+}
+
+void Reading::parse(const Node& node, const std::string& path, SdfFile& target, const Rule& rule) {
+  auto grid = std::make_shared<objects::DistanceGrid>();
+  if (const std::filesystem::path full = find_file(node, path, rule); !full.empty()) {
+    try {
+      *grid = read_sdf(full);
+    } catch (const InputError& error) {
+      complain_input(node, path, {"the signed distance cannot be read", error.what(), ""});
+    }
+  }
+  target = {node.text, std::move(grid)};
 }
 
 void Reading::parse(const Node& node, const std::string& path, PathTable& target, const Rule& rule) {

@@ -28,6 +28,8 @@ class Reading {
   void parse(const Node& node, const std::string& path, RasterFile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, Profile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, FrontCurve& target, const Rule& rule);
+  void parse(const Node& node, const std::string& path, MeshFile& target, const Rule& rule);
+  void parse(const Node& node, const std::string& path, SdfFile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, PathTable& target, const Rule& rule);
   /// The index of the word in `names`; complains and returns npos if it is none of them.
   std::size_t parse_name(const Node& node, const std::string& path, const std::vector<std::string>& names);

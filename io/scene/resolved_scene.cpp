@@ -93,6 +93,8 @@ class SceneWriter {
   RasterFile located(const RasterFile& value) const { return {moved(value.file), value.data}; }
   Profile located(const Profile& value) const { return {moved(value.file), {}, {}}; }
   FrontCurve located(const FrontCurve& value) const { return {moved(value.file), {}, {}}; }
+  MeshFile located(const MeshFile& value) const { return {moved(value.file), value.mesh, value.distance}; }
+  SdfFile located(const SdfFile& value) const { return {moved(value.file), value.distance}; }
   PathTable located(const PathTable& value) const { return {moved(value.file), {}, {}}; }
   ScalarMap located(const ScalarMap& value) const {
     const RasterFile* file = std::get_if<RasterFile>(&value);

@@ -40,6 +40,12 @@ inline std::string value_text(const Profile& value, const Rule&) {
 inline std::string value_text(const FrontCurve& value, const Rule&) {
   return in_quotes(value.file);
 }
+inline std::string value_text(const MeshFile& value, const Rule&) {
+  return in_quotes(value.file);
+}
+inline std::string value_text(const SdfFile& value, const Rule&) {
+  return in_quotes(value.file);
+}
 inline std::string value_text(const PathTable& value, const Rule&) {
   return in_quotes(value.file);
 }

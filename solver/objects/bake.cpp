@@ -16,7 +16,6 @@ DistanceGrid empty_grid(const Bounds& box, int resolution) {
   const Vec3 size = box.high - box.low;
   DistanceGrid grid;
   grid.spacing = std::max({size.x, size.y, size.z}) / (resolution - 1 - 2 * margin);
-  if (!(grid.spacing > 0.0) || !std::isfinite(grid.spacing)) throw std::invalid_argument("a mesh without extent");
   const auto points = [&](double side) {
     // A side that is a whole number of spacings, to rounding, needs no sample more.
     return static_cast<int>(std::ceil(side / grid.spacing - 1e-9)) + 1 + 2 * margin;
@@ -137,7 +136,7 @@ BakedMesh bake(const TriangleMesh& mesh, int resolution, const std::function<voi
     throw std::invalid_argument("the resolution of a mesh is out of bounds");
   }
   const RepairedMesh repaired = repair(mesh);
-  if (repaired.mesh.triangles.empty()) throw std::invalid_argument("a mesh without a triangle that has an area");
+  if (!has_area(repaired.mesh)) throw std::invalid_argument("a mesh without a triangle that has an area");
   const TriangleTree tree(repaired.mesh);
   BakedMesh result{empty_grid(bounds(repaired.mesh), resolution), repaired.defects};
   fill_distances(result.grid, tree, progress);

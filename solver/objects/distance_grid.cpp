@@ -2,6 +2,14 @@
 
 namespace sandsim::objects {
 
+DistanceGrid scaled(const DistanceGrid& grid, double factor) {
+  DistanceGrid result = grid;
+  result.origin = factor * grid.origin;
+  result.spacing = factor * grid.spacing;
+  for (float& value : result.values) value = static_cast<float>(factor * static_cast<double>(value));
+  return result;
+}
+
 Bounds inside_bounds(const DistanceGrid& grid) {
   Bounds inside;
   const DistanceGridView g = view(grid);

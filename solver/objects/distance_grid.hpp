@@ -18,6 +18,9 @@ struct DistanceGrid {
   std::vector<float> values;  // [m] negative inside
 };
 
+/// The same in other units: all lengths times `factor`.
+DistanceGrid scaled(const DistanceGrid& grid, double factor);
+
 /// The box around the part that is inside: all cells with a negative corner. Empty if there is none.
 Bounds inside_bounds(const DistanceGrid& grid);
 

@@ -130,6 +130,11 @@ Bounds bounds(const TriangleMesh& mesh) {
   return box;
 }
 
+bool has_area(const TriangleMesh& mesh) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const Triangle& t) { return area(mesh, t) > 0.0; });
+}
+
 RepairedMesh repair(const TriangleMesh& mesh) {
   RepairedMesh result;
   result.mesh = welded(mesh, result.defects.degenerate_triangles);

@@ -18,6 +18,8 @@ struct TriangleMesh {
 
 /// The box around all vertices that triangles use.
 Bounds bounds(const TriangleMesh& mesh);
+/// Whether some triangle has an area: only then there is a surface.
+bool has_area(const TriangleMesh& mesh);
 
 /// What is not as in a closed surface. Vertices at the same coordinates count as one.
 struct MeshDefects {

@@ -1,8 +1,12 @@
 #include "solver/objects/object.hpp"
 
 #include <limits>
+#include <memory>
 #include <variant>
 
+#include "solver/objects/bake.hpp"
+#include "solver/objects/distance_grid.hpp"
+#include "solver/objects/mesh.hpp"
 #include "solver/objects/rotation.hpp"
 
 namespace sandsim::objects {
@@ -77,6 +81,18 @@ Shape shape_of(const CsgShape& csg) {
   return {primitives, instructions};
 }
 
+Shape shape_of(const MeshShape& mesh) {
+  const DistanceGrid& grid = mesh.file.distance ? *mesh.file.distance : bake(*mesh.file.mesh, mesh.resolution).grid;
+  return Shape(std::make_shared<DistanceGrid>(scaled(grid, factor(mesh))), pose_of(mesh.placement));
+}
+
+Shape shape_of(const SdfShape& sdf) {
+  DistanceGrid grid = *sdf.file.distance;
+  if (sdf.spacing) grid.spacing = *sdf.spacing;
+  if (sdf.origin) grid.origin = vector(*sdf.origin);
+  return Shape(std::make_shared<DistanceGrid>(scaled(grid, sdf.scale)), pose_of(sdf.placement));
+}
+
 /// Keyframes with one orientation.
 std::vector<Keyframe> without_turns(const std::vector<double>& times,
                                     const std::vector<std::array<double, 3>>& positions, const Quaternion& turned) {
@@ -126,6 +142,27 @@ Shape make_shape(const ObjectShape& shape) {
         }
       },
       shape);
+}
+
+double factor(const MeshShape& shape) {
+  switch (shape.unit) {
+    case MeshUnit::m:
+      return shape.scale;
+    case MeshUnit::cm:
+      return shape.scale / 100.0;
+    case MeshUnit::mm:
+      return shape.scale / 1000.0;
+    case MeshUnit::inch:
+      break;
+  }
+  return shape.scale * 0.0254;
+}
+
+Bounds bounds(const ObjectShape& shape, const Pose& pose) {
+  const auto* mesh = std::get_if<MeshShape>(&shape);
+  if (mesh == nullptr) return make_shape(shape).bounds(pose);
+  const Bounds own = bounds(*mesh->file.mesh);
+  return around({factor(*mesh) * own.low, factor(*mesh) * own.high}, pose * pose_of(mesh->placement));
 }
 
 Motion make_motion(const KinematicObject& object) {

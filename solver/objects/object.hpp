@@ -13,7 +13,12 @@ namespace sandsim::objects {
 Vec3 vector(const std::array<double, 3>& values);
 /// The identity without a rotation. Throws std::invalid_argument for lengths of 0.
 Quaternion orientation(const std::optional<Rotation>& rotation);
+/// A mesh is baked here unless that has been done before.
 Shape make_shape(const ObjectShape& shape);
+/// Box around a shape when its frame lies at `pose`; without baking meshes.
+Bounds bounds(const ObjectShape& shape, const Pose& pose);
+/// Metres a unit of the file.
+double factor(const MeshShape& shape);
 Motion make_motion(const KinematicObject& object);
 
 class Object {

@@ -1,5 +1,8 @@
 #include <numbers>
 
+#include "solver/objects/distance_grid.hpp"
+#include "solver/objects/mesh.hpp"
+#include "solver/objects/object.hpp"
 #include "tests/scene/support.hpp"
 #include "tests/support/catch.hpp"
 
@@ -64,6 +67,27 @@ TEST_CASE("an object without a motion is fixed and upright") {
   CHECK(std::holds_alternative<FixedMotion>(s.objects.at(0).motion));
   CHECK_FALSE(s.objects[0].rotation);
   CHECK_FALSE(s.objects[0].end);
+}
+
+TEST_CASE("the files of meshes and signed distances are read with the scene") {
+  const Scene s = read(smallest_scene, {"objects=[{name: a, shape: {type: mesh, file: data/tetrahedron.obj, unit: cm}},"
+                                        "{name: b, shape: {type: sdf, file: data/cross.npy, spacing: 1 cm, "
+                                        "origin: [0 m, 0 m, -1 cm]}, sample_spacing: 1 mm}]"});
+  const MeshShape& mesh = std::get<MeshShape>(s.objects.at(0).shape);
+  CHECK(mesh.file.mesh->triangles.size() == 4);
+  CHECK(mesh.unit == MeshUnit::cm);
+  CHECK(mesh.file.distance == nullptr);
+  CHECK(std::get<SdfShape>(s.objects.at(1).shape).file.distance->points == std::array{3, 3, 3});
+  // 1 cm of mesh lies between z = 0 and 1 cm, and the sample in the middle of the array is 1 cm from each side.
+  const objects::Object tetrahedron(s.objects[0], s.grid.spacing);
+  const auto column = [](const objects::Object& o, double x, double y) {
+    return objects::inside_column(o.shape(), o.at(0).pose, x, y, {-1, 1}, o.sample_spacing());
+  };
+  REQUIRE(column(tetrahedron, 0.002, 0.003).count == 1);
+  // The edges are a hundred samples away from the sharp corners' own size; 1e-4 m is one sample.
+  CHECK_THAT(column(tetrahedron, 0.002, 0.003).items[0].to, WithinAbs(0.005, 1e-4));
+  const objects::Object cross(s.objects[1], s.grid.spacing);
+  REQUIRE(column(cross, 0.01, 0.01).count == 1);
 }
 
 TEST_CASE("an object may leave the grid but not start outside it") {

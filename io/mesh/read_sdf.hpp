@@ -1,0 +1,24 @@
+// Sampled signed distances from files: NumPy arrays and SDFGen's text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "solver/objects/distance_grid.hpp"
+
+namespace sandsim {
+
+/// Reads a signed distance, negative inside; the extension tells the format: .npy or .sdf. Lengths are as the file has
+/// them. Throws InputError: "file: problem", of text "file:line:col: problem". There are two samples along each axis
+/// at least, all of them finite.
+objects::DistanceGrid read_sdf(const std::filesystem::path& path);
+
+// The same from memory; `name` stands for the file.
+
+/// A .npy array with the dimensions z, y, x. The file knows neither origin nor spacing: the result's spacing is 0.
+objects::DistanceGrid read_npy_sdf(std::string_view bytes, const std::string& name);
+/// SDFGen's text: numbers of samples along x, y, z; origin; spacing; the samples, x fastest.
+objects::DistanceGrid read_sdfgen(std::string_view text, const std::string& name);
+
+}  // namespace sandsim
