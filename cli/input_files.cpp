@@ -32,6 +32,17 @@ std::vector<fs::path> input_files(const Scene& scene, const fs::path& folder) {
   }
   add_map(scene.sand.hbar.scale);
   add_map(scene.sand.hbar.cap);
+  for (const KinematicObject& object : scene.objects) {
+    if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
+      files.push_back(folder / mesh->file.file);
+    }
+    if (const auto* sdf = std::get_if<SdfShape>(&object.shape)) {
+      files.push_back(folder / sdf->file.file);
+    }
+    if (const auto* path = std::get_if<Path>(&object.motion)) {
+      files.push_back(folder / path->file.file);
+    }
+  }
   return files;
 }
 
