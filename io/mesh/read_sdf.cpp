@@ -7,6 +7,7 @@
 #include <cmath>
 #include <new>
 
+#include "io/mesh/sdf_shape.hpp"
 #include "io/mesh/tokens.hpp"
 #include "io/raster/npy_header.hpp"
 #include "io/raster/npy_items.hpp"
@@ -14,24 +15,6 @@
 #include "solver/errors.hpp"
 
 namespace sandsim {
-
-namespace {
-
-/// The most samples along an axis, and in all: 2 GiB as float32.
-constexpr std::uint64_t most_along_axis = 1U << 16;
-constexpr std::uint64_t most_samples = std::uint64_t{1} << 29;
-
-/// Empty if a grid may have so many samples along its axes; else what is wrong with them.
-std::string shape_problem(std::uint64_t nx, std::uint64_t ny, std::uint64_t nz) {
-  const std::string shape = fmt::format("{} x {} x {} samples along x, y, z", nx, ny, nz);
-  if (std::min({nx, ny, nz}) < 2) return shape + " (two are needed along each axis)";
-  if (std::max({nx, ny, nz}) > most_along_axis || nx * ny * nz > most_samples) {
-    return fmt::format("{} (at most {} along an axis and {} in all are read)", shape, most_along_axis, most_samples);
-  }
-  return {};
-}
-
-}  // namespace
 
 objects::DistanceGrid read_npy_sdf(std::string_view bytes, const std::string& name) {
   const NpyHeader header = read_npy_header(bytes, name);
@@ -112,13 +95,14 @@ objects::DistanceGrid read_sdf(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension != ".npy" && extension != ".sdf") {
+  const bool is_hdf5 = extension == ".h5" || extension == ".hdf5";
+  if (extension != ".npy" && extension != ".sdf" && !is_hdf5) {
     throw InputError(
-        fmt::format("{}: the format of the signed distance is unknown (extension {}). Known are .npy and "
-                    ".sdf",
+        fmt::format("{}: the format of the signed distance is unknown (extension {}). Known are .npy, .h5 and .sdf",
                     path.string(), extension.empty() ? "missing" : in_quotes(extension)));
   }
   try {
+    if (is_hdf5) return read_hdf5_sdf(path);
     const std::string bytes = read_file_bytes(path, most_bytes);
     return extension == ".npy" ? read_npy_sdf(bytes, path.string()) : read_sdfgen(bytes, path.string());
   } catch (const std::bad_alloc&) {

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "io/hdf5/hdf5.hpp"
 #include "io/output/atomic_file.hpp"
-#include "io/output/hdf5.hpp"
 #include "io/output/version.hpp"
 #include "solver/errors.hpp"
 

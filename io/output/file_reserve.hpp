@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/output/hdf5.hpp"
+#include "io/hdf5/hdf5.hpp"
 
 namespace sandsim {
 

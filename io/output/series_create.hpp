@@ -1,8 +1,8 @@
 // Makes the data sets and attributes of a new series.h5. Internal to io/output.
 #pragma once
 
+#include "io/hdf5/hdf5.hpp"
 #include "io/output/file_reserve.hpp"
-#include "io/output/hdf5.hpp"
 #include "io/output/series_layout.hpp"
 #include "io/output/series_writer.hpp"
 

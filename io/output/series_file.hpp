@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "io/hdf5/hdf5.hpp"
 #include "io/output/disk_space.hpp"
 #include "io/output/file_reserve.hpp"
-#include "io/output/hdf5.hpp"
 #include "io/output/series_layout.hpp"
 #include "io/output/series_writer.hpp"
 

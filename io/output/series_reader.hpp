@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/output/hdf5.hpp"
+#include "io/hdf5/hdf5.hpp"
 
 namespace sandsim {
 

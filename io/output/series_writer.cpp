@@ -6,8 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include "io/hdf5/hdf5.hpp"
 #include "io/output/atomic_file.hpp"
-#include "io/output/hdf5.hpp"
 #include "io/output/series_file.hpp"
 #include "solver/errors.hpp"
 

@@ -103,10 +103,14 @@ void describe(V& v, MeshShape& s) {
 
 template <class V>
 void describe(V& v, SdfShape& s) {
-  v.field("file", s.file, file().required().like("car.sdf"),
-          "SDFGen's .sdf, or a .npy array with the dimensions z, y, x; a relative name is relative to the scene file.");
-  v.field("spacing", s.spacing, length().above(0).like("1 mm"), "Distance of the samples; with a .npy file.");
-  v.field("origin", s.origin, length().like("[0 m, 0 m, 0 m]"), "Place of the first sample; with a .npy file.");
+  v.field(
+      "file", s.file, file().required().like("car.sdf"),
+      "SDFGen's .sdf, or .npy or .h5 (distance) with the dimensions z, y, x; a relative name is relative to the scene "
+      "file.");
+  v.field("spacing", s.spacing, length().above(0).like("1 mm"),
+          "Distance of the samples, if the file does not know it.");
+  v.field("origin", s.origin, length().like("[0 m, 0 m, 0 m]"),
+          "Place of the first sample, if the file does not know it.");
   v.field("scale", s.scale, number().above(0), "Factor on all lengths in the file.");
   describe(v, s.placement);
 }

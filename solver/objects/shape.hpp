@@ -116,7 +116,7 @@ SANDSIM_HD void append(Intervals& list, const Interval& next) {
 
 SANDSIM_HD Intervals inside_primitives(const ShapeView& shape, const Line& line, const Interval& range) {
   Interval own[most_primitives];
-  double ends[2 * most_primitives + 2];
+  double ends[2 * most_primitives + 2] = {};
   int count = 0;
   const auto insert = [&](double end) {
     int place = count++;

@@ -1,5 +1,9 @@
+#include <hdf5_hl.h>
+
+#include <filesystem>
 #include <numeric>
 
+#include "io/hdf5/hdf5.hpp"
 #include "io/mesh/read_sdf.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/catch.hpp"
@@ -20,6 +24,25 @@ std::vector<double> counted(int count) {
   std::vector<double> values(static_cast<std::size_t>(count));
   std::iota(values.begin(), values.end(), 0.0);
   return values;
+}
+
+/// A file in the folder of the build with 0, 1, 2, ... as its data set.
+std::filesystem::path hdf5_file(const std::string& file, const std::vector<hsize_t>& shape, bool has_place,
+                                const std::string& dataset = "distance", double spacing = 0.5) {
+  const std::filesystem::path path = std::filesystem::path(SANDSIM_BINARY_DIR) / ("sdf_test_" + file);
+  const hdf5::Session session;
+  const hdf5::Handle handle = hdf5::create_file(path);
+  std::size_t count = 1;
+  for (const hsize_t length : shape) count *= static_cast<std::size_t>(length);
+  const std::vector<double> values = counted(static_cast<int>(count));
+  H5LTmake_dataset_double(handle.id(), dataset.c_str(), static_cast<int>(shape.size()), shape.data(), values.data());
+  if (!has_place) return path;
+  const hdf5::Handle samples = hdf5::open_dataset(handle.id(), dataset);
+  hdf5::write_attribute(samples.id(), "origin_x", 1.0);
+  hdf5::write_attribute(samples.id(), "origin_y", 2.0);
+  hdf5::write_attribute(samples.id(), "origin_z", 3.0);
+  hdf5::write_attribute(samples.id(), "spacing", spacing);
+  return path;
 }
 
 std::string npy_error(const std::string& bytes) {
@@ -87,9 +110,45 @@ TEST_CASE("SDFGen's text that is damaged is an error") {
   CHECK(sdfgen_error("2 2 2 0 0 0 1\n1 2 3 4 5 6 7 8 9") == "a.sdf:2:17: \"9\" follows the 8 distances");
 }
 
+TEST_CASE("an HDF5 file gives samples and place") {
+  const std::filesystem::path file = hdf5_file("whole.h5", {2, 3, 4}, true);
+  const DistanceGrid grid = read_sdf(file);
+  CHECK(grid.points == std::array{4, 3, 2});
+  CHECK(view(grid).at(1, 2, 1) == 12 + 8 + 1);
+  CHECK(grid.origin.z == 3.0);
+  CHECK(grid.spacing == 0.5);
+  CHECK(read_sdf(hdf5_file("no_place.h5", {2, 3, 4}, false)).spacing == 0.0);
+}
+
+TEST_CASE("HDF5 files that hold no signed distance are errors") {
+  const auto error = [](const std::filesystem::path& file) {
+    const std::string message = test::input_error([&] { read_sdf(file); });
+    return message.substr(std::min(file.string().size(), message.size()));
+  };
+  CHECK(error(hdf5_file("flat.h5", {3, 4}, true)) ==
+        ": distance is no array of numbers with three dimensions, z, y and x");
+  CHECK(error(hdf5_file("thin.h5", {1, 3, 4}, true)) ==
+        ": 4 x 3 x 1 samples along x, y, z (two are needed along each axis)");
+  CHECK(error(hdf5_file("other.h5", {2, 2, 2}, true, "depth")) == ": the file has no data set distance");
+  const std::filesystem::path broken = hdf5_file("broken.h5", {2, 2, 2}, true);
+  std::filesystem::resize_file(broken, 500);
+  CHECK(error(broken).find("could not open the file") != std::string::npos);
+  std::filesystem::resize_file(broken, 0);
+  CHECK(error(broken).find("could not open the file") != std::string::npos);
+  const std::filesystem::path partly = hdf5_file("partly.h5", {2, 2, 2}, true);
+  {
+    const hdf5::Session session;
+    const hdf5::Handle handle = hdf5::open_file(partly, true);
+    H5Adelete_by_name(handle.id(), "distance", "origin_y", H5P_DEFAULT);
+  }
+  CHECK(error(partly) == ": distance has only some of the attributes origin_x, origin_y, origin_z and spacing");
+  const std::filesystem::path negative = hdf5_file("negative.h5", {2, 2, 2}, true, "distance", -1.0);
+  CHECK(error(negative) == ": the attributes of distance are not a finite origin and a spacing above 0");
+}
+
 TEST_CASE("the extension of a signed distance tells its format") {
   CHECK(test::input_error([] { read_sdf("a.vdb"); }) ==
-        "a.vdb: the format of the signed distance is unknown (extension \".vdb\"). Known are .npy and .sdf");
+        "a.vdb: the format of the signed distance is unknown (extension \".vdb\"). Known are .npy, .h5 and .sdf");
   CHECK(test::input_error([] { read_sdf("/nonexistent/a.sdf"); }) ==
         "/nonexistent/a.sdf: cannot be opened (no such file)");
 }

@@ -11,7 +11,7 @@ namespace sandsim::test {
 
 using objects::TriangleMesh;
 
-/// A surface over (u, v) in [0, 1)^2 that closes in u, and in v too unless its ends are points or `is_capped` is false.
+/// A surface over (u, v) in [0, 1)^2 that closes in u, and in v too if `closes_in_v`.
 inline TriangleMesh surface(int nu, int nv, bool closes_in_v, const std::function<objects::Vec3(double, double)>& at) {
   TriangleMesh mesh;
   const int rows = closes_in_v ? nv : nv + 1;
@@ -28,7 +28,7 @@ inline TriangleMesh surface(int nu, int nv, bool closes_in_v, const std::functio
   return mesh;
 }
 
-/// About 2 n^2 triangles; its poles are rows of vertices at one place up to rounding, which is taken out.
+/// About 2 n^2 triangles; the vertices of its poles lie at one place exactly.
 inline TriangleMesh sphere_mesh(double radius, int n, const objects::Vec3& center = {}) {
   return surface(n, n, false, [=](double u, double v) {
     const double phi = 2 * std::numbers::pi * u;

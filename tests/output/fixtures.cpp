@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "io/output/hdf5.hpp"
+#include "io/hdf5/hdf5.hpp"
 #include "io/output/series_reader.hpp"
 
 namespace sandsim::test {

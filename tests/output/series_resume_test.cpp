@@ -1,4 +1,4 @@
-#include "io/output/hdf5.hpp"
+#include "io/hdf5/hdf5.hpp"
 #include "io/output/series_reader.hpp"
 #include "io/output/series_writer.hpp"
 #include "solver/errors.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/output/hdf5.hpp"
+#include "io/hdf5/hdf5.hpp"
 #include "io/output/series_reader.hpp"
 #include "solver/errors.hpp"
 #include "tests/output/fixtures.hpp"

@@ -1,4 +1,4 @@
-// The few HDF5 calls that the writers share, with every return value checked. Internal to io/output.
+// The few HDF5 calls that readers and writers share, with every return value checked. Internal to io.
 #pragma once
 
 #include <hdf5.h>
