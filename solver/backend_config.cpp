@@ -34,6 +34,7 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   config.boundaries = scene.boundaries;
   config.numerics = scene.numerics;
   config.courant = scene.time.courant.value_or(default_courant(scene.numerics));
+  config.rains = sand_rains(scene);
   config.maxima = scene.output.maxima;
   config.arrival_depth =
       scene.output.arrival_depth > 0.0 ? scene.output.arrival_depth : arrival_fraction * scene.grid.spacing;
@@ -100,6 +101,7 @@ std::vector<SandRain> sand_rains(const Scene& scene) {
     if (rain.cells.empty()) {
       rain.cells.push_back(nearest);
     }
+    rain.start = source.start, rain.end = source.end;
     rain.rate = source.rate / (static_cast<double>(rain.cells.size()) * grid.spacing * grid.spacing);
     rains.push_back(rain);
   }

@@ -40,6 +40,13 @@ class CpuBackend final : public Backend {
   SpeedLimit speed_limit() const override;
   double slope_violation() const override { return largest_slope_violation(diagnosed()); }
 
+  void advance(StepLoop& loop, const StepRules& rules, std::int64_t most, const LoopStages& stages,
+               const std::function<void()>& meanwhile) override {
+    meanwhile();
+    advance_step_by_step(*this, config_, loop, rules, most, stages);
+  }
+  void begin_capture(const CaptureRequest& request) override;
+  Capture end_capture() override { return std::move(capture_); }
   StepOutcome step(double dt) override;
   double rain(const SandRain& rain, double dt) override;
 
@@ -96,6 +103,7 @@ class CpuBackend final : public Backend {
   std::array<std::vector<double>, 4> side_mass_;  // x_min, x_max, y_min, y_max; empty where the side is closed
   SideFlow flow_;
   Maxima<R> maxima_;
+  Capture capture_;
 };
 
 template <class Rows, class Make>
@@ -369,6 +377,14 @@ double CpuBackend<Rows, Make>::rain(const SandRain& rain, double dt) {
   const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
   fastest_ = std::max(fastest_, rows_speed(rows, current_, std::max(0, j_first - 1), std::min(ny(), j_last + 2)));
   return gained * config_.grid.spacing * config_.grid.spacing;
+}
+
+template <class Rows, class Make>
+void CpuBackend<Rows, Make>::begin_capture(const CaptureRequest& request) {
+  capture_ = {{}, sample(request.cells), statistics()};
+  for (const std::string& name : request.fields) {
+    capture_.fields.push_back(field(name));
+  }
 }
 
 template <class Rows, class Make>
