@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "solver/backend.hpp"
-#include "solver/backends/cpu/diagnostics.hpp"
-#include "solver/backends/cpu/halo.hpp"
 #include "solver/backends/cpu/rows.hpp"
+#include "solver/backends/diagnostics.hpp"
+#include "solver/backends/halo.hpp"
 
 namespace sandsim::cpu {
 
@@ -347,12 +347,8 @@ StepOutcome CpuBackend<Rows, Make>::step(double dt) {
 template <class Rows, class Make>
 double CpuBackend<Rows, Make>::outflow(double dt) const {
   double mass = 0.0;
-  for (std::size_t side = 0; side < 4; ++side) {
-    double sum = 0.0;
-    for (const double flux : side_mass_[side]) {
-      sum += flux;
-    }
-    mass += sum;
+  for (const std::vector<double>& side : side_mass_) {
+    mass += sum_in_lanes<double>(side.size(), [&](double& lane, std::size_t k) { lane += side[k]; });
   }
   return mass * static_cast<double>(static_cast<R>(dt)) * config_.grid.spacing;
 }
@@ -360,22 +356,26 @@ double CpuBackend<Rows, Make>::outflow(double dt) const {
 template <class Rows, class Make>
 double CpuBackend<Rows, Make>::rain(const SandRain& rain, double dt) {
   const R growth = static_cast<R>(rain.rate * dt);
-  double gained = 0.0;
   int j_first = ny(), j_last = -1;
-  for (const std::int64_t cell : rain.cells) {
-    const int j = static_cast<int>(cell / nx()), i = static_cast<int>(cell % nx());
+  const double gained = sum_in_lanes<double>(rain.cells.size(), [&](double& lane, std::size_t k) {
+    const int j = static_cast<int>(rain.cells[k] / nx()), i = static_cast<int>(rain.cells[k] % nx());
     R& h = h_[current_].row(j)[i];
     const R before = h;
     h = h + growth;
-    gained += static_cast<double>(h) - static_cast<double>(before);
+    lane += static_cast<double>(h) - static_cast<double>(before);
     j_first = std::min(j_first, j), j_last = std::max(j_last, j);
-  }
+  });
   for (int j = j_first; j <= j_last; ++j) {
     halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
   }
   fill_ghost_rows(current_);
   const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
-  fastest_ = std::max(fastest_, rows_speed(rows, current_, std::max(0, j_first - 1), std::min(ny(), j_last + 2)));
+  const auto take_speeds = [&](int j0, int j1) { fastest_ = std::max(fastest_, rows_speed(rows, current_, j0, j1)); };
+  take_speeds(std::max(0, j_first - 1), std::min(ny(), j_last + 2));
+  if (config_.boundaries.y_min == BoundaryKind::periodic && (j_first == 0 || j_last == ny() - 1)) {
+    take_speeds(0, 1);  // neighbours across the periodic sides
+    take_speeds(ny() - 1, ny());
+  }
   return gained * config_.grid.spacing * config_.grid.spacing;
 }
 
