@@ -48,6 +48,9 @@ class Field {
   const FieldView<R>& view() const { return view_; }
   R* row(std::ptrdiff_t j) const { return view_.row(j); }
   std::size_t bytes() const { return size_ * sizeof(R); }
+  /// All that is allocated, the halo included.
+  const R* data() const { return data_.get(); }
+  std::size_t size() const { return size_; }
 
  private:
   struct Free {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "solver/backends/ghost.hpp"
 #include "solver/field.hpp"
@@ -91,5 +92,33 @@ struct Halo {
     }
   }
 };
+
+/// A map of the grid (x fastest) with its halo; a single value as one repeated row.
+template <class R>
+Field<R> stored_map(const std::vector<double>& values, const Halo& sides) {
+  if (values.size() == 1) {
+    return Field<R>(sides.nx, sides.ny, static_cast<R>(values.front()), true);
+  }
+  Field<R> field(sides.nx, sides.ny, R(0));
+  auto value = values.begin();
+  for (int j = 0; j < sides.ny; ++j) {
+    std::transform(value, value + sides.nx, field.row(j), [](double v) { return static_cast<R>(v); });
+    value += sides.nx;
+  }
+  sides.fill_map(field.view());
+  return field;
+}
+/// The same for the bed, which may be empty: flat.
+template <class R>
+Field<R> stored_bed(const std::vector<double>& values, const Halo& sides) {
+  if (values.empty()) {
+    return Field<R>(sides.nx, sides.ny, R(0), true);
+  }
+  Field<R> field = stored_map<R>(values, sides);
+  if (values.size() > 1) {
+    sides.fill_bed(field.view());
+  }
+  return field;
+}
 
 }  // namespace sandsim

@@ -66,7 +66,6 @@ class CpuBackend final : public Backend {
   static constexpr bool speed_needs_neighbours = Rows::speed_needs_neighbours && !Rows::one_d;
 
   void take_material(const InitialState& initial);
-  Field<R> map_of(const std::vector<double>& values, bool is_bed) const;
   StepFields<R> fields() const;
   physics::StepParameters<R> parameters(R dt) const;
   R stable_step_of(R fastest) const {
@@ -148,36 +147,16 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
 template <class Rows, class Make>
 void CpuBackend<Rows, Make>::take_material(const InitialState& initial) {
   if constexpr (!Rows::flat) {
-    bed_ = initial.bed.empty() ? Field<R>(nx(), ny(), R(0), true) : map_of(initial.bed, true);
+    bed_ = stored_bed<R>(initial.bed, halo_);
   }
   if constexpr (Rows::uniform) {
     material_ = {static_cast<R>(initial.friction_coefficient.front()), static_cast<R>(initial.hbar_scale.front()),
                  static_cast<R>(initial.hbar_cap.front())};
   } else {
-    mu_ = map_of(initial.friction_coefficient, false);
-    alpha_ = map_of(initial.hbar_scale, false);
-    cap_ = map_of(initial.hbar_cap, false);
+    mu_ = stored_map<R>(initial.friction_coefficient, halo_);
+    alpha_ = stored_map<R>(initial.hbar_scale, halo_);
+    cap_ = stored_map<R>(initial.hbar_cap, halo_);
   }
-}
-
-template <class Rows, class Make>
-auto CpuBackend<Rows, Make>::map_of(const std::vector<double>& values, bool is_bed) const -> Field<R> {
-  if (values.size() == 1) {
-    return Field<R>(nx(), ny(), static_cast<R>(values.front()), true);
-  }
-  Field<R> field(nx(), ny(), R(0));
-  for (int j = 0; j < ny(); ++j) {
-    for (int i = 0; i < nx(); ++i) {
-      field.row(j)[i] = static_cast<R>(
-          values[static_cast<std::size_t>(j) * static_cast<std::size_t>(nx()) + static_cast<std::size_t>(i)]);
-    }
-  }
-  if (is_bed) {
-    halo_.fill_bed(field.view());
-  } else {
-    halo_.fill_map(field.view());
-  }
-  return field;
 }
 
 template <class Rows, class Make>

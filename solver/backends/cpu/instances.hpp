@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "solver/backend.hpp"
+#include "solver/backends/choose_instance.hpp"
 #include "solver/backends/cpu/balanced_rows.hpp"
 #include "solver/backends/cpu/cpu_backend.hpp"
 #include "solver/backends/cpu/paper_rows.hpp"
@@ -17,24 +18,6 @@ std::unique_ptr<Backend> make_balanced(const BackendConfig& config, const Initia
 /// The paper's scheme in precision R.
 template <class R>
 std::unique_ptr<Backend> make_paper(const BackendConfig& config, const InitialState& initial);
-
-/// Calls make(flat, uniform, one_d) with the compile-time constants that fit the scene: terrain and material are
-/// flat and uniform together, or uniform, or neither; a single row has the first and the last.
-template <class Make>
-std::unique_ptr<Backend> choose_instance(const BackendConfig& config, const InitialState& initial, Make make) {
-  constexpr auto yes = std::true_type{};
-  constexpr auto no = std::false_type{};
-  const bool flat = initial.bed.empty();
-  const bool uniform =
-      initial.friction_coefficient.size() == 1 && initial.hbar_scale.size() == 1 && initial.hbar_cap.size() == 1;
-  if (config.grid.one_dimensional()) {
-    return flat && uniform ? make(yes, yes, yes) : make(no, no, yes);
-  }
-  if (!uniform) {
-    return make(no, no, no);
-  }
-  return flat ? make(yes, yes, no) : make(no, yes, no);
-}
 
 template <class R, int Order>
 std::unique_ptr<Backend> make_balanced(const BackendConfig& config, const InitialState& initial) {

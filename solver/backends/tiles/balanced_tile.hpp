@@ -21,6 +21,7 @@ class BalancedTile {
   static constexpr bool flat = Flat, uniform = Uniform, one_d = OneD;
   /// Columns at either end of a strip of threads that only read or compute again.
   static constexpr int reach = 3;
+  static constexpr int threads = sizeof(R) == 4 ? 128 : 64;  // of a strip, at most
   /// Shared rows of numbers a strip needs.
   static constexpr int shared_rows = 2 * (4 + 9 + 4 + 1);
 

@@ -47,6 +47,7 @@ class HostBlock {
   int y() const { return y_; }
   int width() const { return shape_.width; }
   int strips() const { return shape_.strips; }
+  int blocks() const { return grid_.x * grid_.y; }
 
   template <class Phase>
   void each(Phase phase) {
@@ -78,7 +79,7 @@ class HostBlock {
   /// To be called between phases: whether all other blocks of the launch have come this far. True for one block.
   bool last(unsigned* arrived) {
     *arrived += 1;
-    if (*arrived < static_cast<unsigned>(grid_.x * grid_.y)) {
+    if (*arrived < static_cast<unsigned>(blocks())) {
       return false;
     }
     *arrived = 0;

@@ -17,6 +17,7 @@ class PaperTile {
   using Real = R;
   static constexpr bool flat = Flat, uniform = Uniform, one_d = OneD;
   static constexpr int reach = 1;
+  static constexpr int threads = 256;  // of a strip, at most
   static constexpr int shared_rows = 2 * (4 + 3);
 
   TileFields<R> fields;

@@ -30,6 +30,7 @@ struct TileFields {
   int nx = 0, ny = 0;
   Boundaries sides;
   R dx = 0, g = 0, dry_depth = 0;
+  double spacing = 0.0;  // [m] the scene's, for volumes
   StateView<R> states[2];
   FieldView<R> bed;             // with its halo; not read where the terrain is flat
   FieldView<R> mu, alpha, cap;  // with their halo; not read where the material is uniform

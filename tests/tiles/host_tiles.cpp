@@ -1,0 +1,25 @@
+#include "tests/tiles/host_tiles.hpp"
+
+#include "solver/backends/tiles/host_machine.hpp"
+#include "solver/backends/tiles/instances.hpp"
+
+namespace sandsim::test {
+namespace {
+
+template <class R>
+std::unique_ptr<Backend> make(const BackendConfig& config, const InitialState& initial) {
+  static tiles::HostMachine machine;
+  if (config.numerics.scheme == Scheme::paper) {
+    return tiles::make_paper<R>(machine, config, initial);
+  }
+  return config.numerics.order == 2 ? tiles::make_balanced<R, 2>(machine, config, initial)
+                                    : tiles::make_balanced<R, 1>(machine, config, initial);
+}
+
+}  // namespace
+
+std::unique_ptr<Backend> make_host_tiles(const BackendConfig& config, const InitialState& initial) {
+  return config.numerics.precision == Precision::float32 ? make<float>(config, initial) : make<double>(config, initial);
+}
+
+}  // namespace sandsim::test
