@@ -28,10 +28,6 @@ std::optional<std::string> find_entry(const char* file, std::string_view key) {
 
 }  // namespace
 
-bool has_cuda_backend() {
-  return false;
-}
-
 std::string processor_name() {
   return find_entry("/proc/cpuinfo", "model name").value_or("unknown processor");
 }

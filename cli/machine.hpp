@@ -6,9 +6,6 @@
 
 namespace sandsim::cli {
 
-/// Whether this sandsim has a CUDA backend.
-bool has_cuda_backend();
-
 /// Model name of the processor, or "unknown processor".
 std::string processor_name();
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace sandsim::cli {
+#include "solver/device.hpp"
 
-enum class Device { automatic, cpu, cuda };
+namespace sandsim::cli {
 
 struct RunArguments {
   std::string scene;                   // file, or folder that holds a scene.yaml

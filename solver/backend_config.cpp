@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/backends/cuda/cuda.hpp"
 #include "solver/errors.hpp"
 #include "solver/numerics.hpp"
 
@@ -42,7 +43,10 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   return config;
 }
 
-std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, int threads) {
+std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, Device device, int threads) {
+  if (device == Device::cuda) {
+    return make_cuda_backend(backend_config(scene, threads), initial);
+  }
   const double needed = expected_bytes(scene, initial);
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed > present) {

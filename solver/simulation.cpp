@@ -99,7 +99,7 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
       sink_(sink),
       initial_(build_initial_state(scene)),
       schedule_(scene.time),
-      backend_(make_backend(scene, initial_, options.threads)),
+      backend_(make_backend(scene, initial_, options.device, options.threads)),
       snapshots_(scene, initial_),
       rules_(step_rules(scene, sand_rains(scene))) {
   const Numerics& numerics = scene.numerics;

@@ -8,7 +8,7 @@ namespace {
 
 template <class R>
 std::unique_ptr<Backend> make(const BackendConfig& config, const InitialState& initial) {
-  static tiles::HostMachine machine;
+  const auto machine = std::make_shared<tiles::HostMachine>();
   if (config.numerics.scheme == Scheme::paper) {
     return tiles::make_paper<R>(machine, config, initial);
   }

@@ -4,8 +4,6 @@
 // around the tile are read and two computed again, so that the speeds of the new state are known where it is written.
 #pragma once
 
-#include <limits>
-
 #include "solver/backends/tiles/tile_fields.hpp"
 #include "solver/physics/balanced_update.hpp"
 #include "solver/physics/velocity.hpp"
@@ -29,8 +27,7 @@ class BalancedTile {
   R courant = 0;
 
   SANDSIM_HD R stable_step(R fastest) const {
-    constexpr R never = std::numeric_limits<R>::infinity();
-    return fastest > R(0) ? courant * fields.dx / fastest : never;
+    return fastest > R(0) ? courant * fields.dx / fastest : physics::infinity<R>;
   }
   /// The speed that bounds the step in cell (i, j) of a state. [m/s]
   SANDSIM_HD R speed(const StateView<R>& state, int i, int j) const;

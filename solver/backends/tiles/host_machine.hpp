@@ -32,6 +32,9 @@ class HostMachine {
   template <class T>
   using HostArray = Array<T>;
 
+  /// Nothing is recorded.
+  struct Loop {};
+
   std::string name() const { return "tiles on the host"; }
   int processors() const { return 1; }
   std::size_t free_bytes() const { return std::numeric_limits<std::size_t>::max(); }
@@ -65,7 +68,7 @@ class HostMachine {
   }
   /// Launches what `body` launches, again and again, as long as *go is not 0. `body` must launch the same each time.
   template <class Body, class Meanwhile>
-  void repeat(const Body& body, const int* go, const Meanwhile& meanwhile) {
+  void repeat(Loop&, const Body& body, const int* go, const Meanwhile& meanwhile) {
     meanwhile();
     while (*go != 0) {
       body();

@@ -10,24 +10,25 @@
 
 namespace sandsim::tiles {
 
-/// Balanced scheme of the given order in precision R.
+/// Machine: a shared pointer to one, which may serve many backends. Balanced scheme of the given order in precision R.
 template <class R, int Order, class Machine>
-std::unique_ptr<Backend> make_balanced(Machine& machine, const BackendConfig& config, const InitialState& initial) {
+std::unique_ptr<Backend> make_balanced(const Machine& machine, const BackendConfig& config,
+                                       const InitialState& initial) {
   return choose_instance(config, initial, [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
     using Tile = BalancedTile<R, Order, flat.value, uniform.value, one_d.value>;
-    return std::make_unique<TileBackend<Machine, Tile>>(machine, config, initial, Tile{});
+    return std::make_unique<TileBackend<typename Machine::element_type, Tile>>(machine, config, initial, Tile{});
   });
 }
 
 /// The paper's scheme in precision R.
 template <class R, class Machine>
-std::unique_ptr<Backend> make_paper(Machine& machine, const BackendConfig& config, const InitialState& initial) {
+std::unique_ptr<Backend> make_paper(const Machine& machine, const BackendConfig& config, const InitialState& initial) {
   return choose_instance(config, initial, [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
     using Tile = PaperTile<R, flat.value, uniform.value, one_d.value>;
     Tile tile;
     tile.switches = {config.numerics.momentum_flux == MomentumFlux::full ? R(1) : R(0.5), config.numerics.rest_gate};
     tile.desingularised = config.numerics.velocity == VelocityForm::desingularised;
-    return std::make_unique<TileBackend<Machine, Tile>>(machine, config, initial, tile);
+    return std::make_unique<TileBackend<typename Machine::element_type, Tile>>(machine, config, initial, tile);
   });
 }
 

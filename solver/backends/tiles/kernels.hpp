@@ -1,13 +1,19 @@
-// The launches of a run on tiles. A kernel is a trivially copyable object that is called with a block.
+// The launches of a run on tiles. A kernel is a trivially copyable object that is called with a
+// block; `doing` is for messages.
 #pragma once
 
 #include "solver/backends/tiles/block_functions.hpp"
 
 namespace sandsim::tiles {
 
+/// Threads of a block that goes over cells one by one.
+inline constexpr int cell_threads = 256;
+
 /// Steps every tile of the grid. The block that comes last ends the step, unless rain follows.
 template <class Tile>
 struct StepKernel {
+  static constexpr const char* doing = "take a step";
+  static constexpr int most_threads = Tile::threads;
   using R = typename Tile::Real;
   Tile tile;
   TileLayout layout;
@@ -33,6 +39,8 @@ struct StepKernel {
 /// Rain, by one block: onto the new state, and then the step ends; or onto the present state, between steps.
 template <class Tile>
 struct RainKernel {
+  static constexpr const char* doing = "add sand";
+  static constexpr int most_threads = sum_lanes;
   using R = typename Tile::Real;
   Tile tile;
   Control<R>* control;
@@ -62,6 +70,8 @@ struct RainKernel {
 /// Takes the present state into the maxima.
 template <class Tile>
 struct MaximaKernel {
+  static constexpr const char* doing = "take maxima";
+  static constexpr int most_threads = cell_threads;
   using R = typename Tile::Real;
   Tile tile;
   const Control<R>* control;
@@ -79,6 +89,8 @@ struct MaximaKernel {
 /// The largest speed of the present state goes to *fastest, which is 0 before.
 template <class Tile>
 struct SpeedKernel {
+  static constexpr const char* doing = "find the largest speed";
+  static constexpr int most_threads = cell_threads;
   using R = typename Tile::Real;
   Tile tile;
   int current;
@@ -106,6 +118,8 @@ struct SpeedKernel {
 /// The first cell whose speed is *fastest goes to *cell, which is the number of cells before.
 template <class Tile>
 struct FindSpeedKernel {
+  static constexpr const char* doing = "find the fastest cell";
+  static constexpr int most_threads = cell_threads;
   using R = typename Tile::Real;
   Tile tile;
   int current;
@@ -129,6 +143,8 @@ struct FindSpeedKernel {
 /// A field of the present state, rows of nx.
 template <class Tile>
 struct FieldKernel {
+  static constexpr const char* doing = "copy a field";
+  static constexpr int most_threads = cell_threads;
   using R = typename Tile::Real;
   Tile tile;
   int current;
@@ -155,6 +171,8 @@ struct FieldKernel {
 /// Depth and velocity of single cells, three numbers each.
 template <class Tile>
 struct ProbeKernel {
+  static constexpr const char* doing = "read probes";
+  static constexpr int most_threads = cell_threads;
   using R = typename Tile::Real;
   Tile tile;
   int current;
@@ -182,6 +200,8 @@ struct ProbeKernel {
 /// Sums of row block.x(), by one block of 32 threads.
 template <class Tile>
 struct RowSumsKernel {
+  static constexpr const char* doing = "sum rows";
+  static constexpr int most_threads = sum_lanes;
   using R = typename Tile::Real;
   Tile tile;
   int current;
@@ -205,6 +225,8 @@ struct RowSumsKernel {
 
 /// Sum over the rows, by one block of 32 threads.
 struct TotalKernel {
+  static constexpr const char* doing = "sum up";
+  static constexpr int most_threads = sum_lanes;
   const CellSums* rows;
   int count;
   CellSums* total;

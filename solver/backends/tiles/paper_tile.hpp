@@ -1,8 +1,6 @@
 // The paper's scheme on a tile: as balanced_tile.hpp, with a stencil of one cell and speeds that need no neighbours.
 #pragma once
 
-#include <limits>
-
 #include "solver/backends/tiles/tile_fields.hpp"
 #include "solver/physics/paper_scheme.hpp"
 #include "solver/physics/velocity.hpp"
@@ -27,8 +25,7 @@ class PaperTile {
 
   /// The Courant number is already in the speeds.
   SANDSIM_HD R stable_step(R fastest) const {
-    constexpr R never = std::numeric_limits<R>::infinity();
-    return fastest > R(0) ? R(1) * fields.dx / fastest : never;
+    return fastest > R(0) ? R(1) * fields.dx / fastest : physics::infinity<R>;
   }
   /// The speed that bounds the step in cell (i, j) of a state. [m/s]
   SANDSIM_HD R speed(const StateView<R>& state, int i, int j) const {

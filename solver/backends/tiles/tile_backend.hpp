@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,9 +29,10 @@ class TileBackend final : public Backend {
   using HostArray = typename Machine::template HostArray<T>;
 
  public:
-  TileBackend(Machine& machine, const BackendConfig& config, const InitialState& initial, const Tile& tile);
+  TileBackend(const std::shared_ptr<Machine>& machine, const BackendConfig& config, const InitialState& initial,
+              const Tile& tile);
 
-  std::string device() const override { return machine_.name(); }
+  std::string device() const override { return machine_->name(); }
   int threads() const override { return 1; }
   std::int64_t memory_bytes() const override { return static_cast<std::int64_t>(bytes_); }
   double bytes_per_step() const override;
@@ -65,14 +67,12 @@ class TileBackend final : public Backend {
   const Tile& tile() const { return tile_; }
 
  private:
-  static constexpr int row_width = 256;  // threads of a block that goes over cells one by one
-
   int nx() const { return config_.grid.cells[0]; }
   int ny() const { return config_.grid.cells[1]; }
   std::size_t cells() const { return config_.grid.cell_count(); }
   GridShape cell_blocks() const {
     constexpr std::size_t most = 4096;  // a thread takes further cells
-    return {static_cast<int>(std::clamp<std::size_t>((cells() + row_width - 1) / row_width, 1, most)), 1};
+    return {static_cast<int>(std::clamp<std::size_t>((cells() + cell_threads - 1) / cell_threads, 1, most)), 1};
   }
 
   void lay_out_tiles();
@@ -85,8 +85,8 @@ class TileBackend final : public Backend {
   void take_rains();
   void launch_step(bool rain_follows);
   void launch_maxima();
-  void put_control() { machine_.upload(control_array_.data(), &control_, 1); }
-  void get_control() { machine_.download(&control_, control_array_.data(), 1); }
+  void put_control() { machine_->upload(control_array_.data(), &control_, 1); }
+  void get_control() { machine_->download(&control_, control_array_.data(), 1); }
   void launch_sums() const;
   void launch_field(const std::string& name, R* values) const;
   R find_fastest() const;
@@ -94,7 +94,8 @@ class TileBackend final : public Backend {
   template <class Ask>
   auto inspect(const Ask& ask) const;
 
-  Machine& machine_;
+  std::shared_ptr<Machine> machine_;
+  typename Machine::Loop loop_;
   BackendConfig config_;
   Halo halo_;
   Tile tile_;

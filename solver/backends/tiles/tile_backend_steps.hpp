@@ -4,8 +4,8 @@
 namespace sandsim::tiles {
 
 template <class Machine, class Tile>
-TileBackend<Machine, Tile>::TileBackend(Machine& machine, const BackendConfig& config, const InitialState& initial,
-                                        const Tile& tile)
+TileBackend<Machine, Tile>::TileBackend(const std::shared_ptr<Machine>& machine, const BackendConfig& config,
+                                        const InitialState& initial, const Tile& tile)
     : machine_(machine),
       config_(config),
       halo_{config.grid.cells[0], config.grid.cells[1], config.boundaries},
@@ -28,7 +28,7 @@ TileBackend<Machine, Tile>::TileBackend(Machine& machine, const BackendConfig& c
   row_sums_ = allocate<CellSums>(static_cast<std::size_t>(ny()) + 1);
   found_speed_ = allocate<R>(1);
   found_cell_ = allocate<std::int64_t>(1);
-  captured_sums_ = HostArray<CellSums>(machine_, 1);
+  captured_sums_ = HostArray<CellSums>(*machine_, 1);
   if (config.maxima) {
     maxima_array_ = allocate<R>(3 * cells());
     maxima_ = {maxima_array_.data(), maxima_array_.data() + cells(), maxima_array_.data() + 2 * cells(),
@@ -44,7 +44,7 @@ template <class Machine, class Tile>
 template <class T>
 auto TileBackend<Machine, Tile>::allocate(std::size_t count) -> Array<T> {
   bytes_ += count * sizeof(T);
-  return Array<T>(machine_, count);
+  return Array<T>(*machine_, count);
 }
 
 /// Strips as wide as pays for the columns that are only read, and so high that every processor has blocks to do.
@@ -57,7 +57,7 @@ void TileBackend<Machine, Tile>::lay_out_tiles() {
   layout_.columns = std::min(wanted, shape_.width - 2 * Tile::reach);
   grid_.x = (nx() + layout_.columns - 1) / layout_.columns;
   const int rows = static_cast<int>(static_cast<std::int64_t>(ny()) * grid_.x /
-                                    (static_cast<std::int64_t>(machine_.processors()) * blocks_a_processor));
+                                    (static_cast<std::int64_t>(machine_->processors()) * blocks_a_processor));
   const int highest_grid = 65535;  // blocks along y that a device takes
   layout_.height = config_.block_rows > 0 ? config_.block_rows
                                           : std::max(std::clamp(rows, fewest_rows, most_rows), ny() / highest_grid + 1);
@@ -100,10 +100,10 @@ void TileBackend<Machine, Tile>::check_memory(const InitialState& initial) const
     words += map->size() > 1 ? 1.0 : 0.0;
   }
   const double needed = words * static_cast<double>(cells()) * static_cast<double>(sizeof(R));
-  const double free = static_cast<double>(machine_.free_bytes());
+  const double free = static_cast<double>(machine_->free_bytes());
   if (needed > free) {
     const auto mebibytes = [](double bytes) { return std::to_string(static_cast<std::int64_t>(bytes / 1048576.0)); };
-    throw DeviceError("the scene needs " + mebibytes(needed) + " MiB of memory and " + machine_.name() + " has " +
+    throw DeviceError("the scene needs " + mebibytes(needed) + " MiB of memory and " + machine_->name() + " has " +
                       mebibytes(free) + " MiB free. Use fewer cells, numerics.precision: float32, or --device cpu?");
   }
 }
@@ -129,7 +129,7 @@ void TileBackend<Machine, Tile>::take_material(const InitialState& initial) {
 template <class Machine, class Tile>
 auto TileBackend<Machine, Tile>::upload_map(const Field<R>& host, Array<R>& copy) -> FieldView<R> {
   copy = allocate<R>(host.size());
-  machine_.upload(copy.data(), host.data(), host.size());
+  machine_->upload(copy.data(), host.data(), host.size());
   return {copy.data() + (host.view().origin - host.data()), host.view().stride};
 }
 
@@ -143,7 +143,7 @@ void TileBackend<Machine, Tile>::take_rains() {
     cells.insert(cells.end(), rain.cells.begin(), rain.cells.end());
   }
   rain_cells_ = allocate<std::int64_t>(cells.size());
-  machine_.upload(rain_cells_.data(), cells.data(), cells.size());
+  machine_->upload(rain_cells_.data(), cells.data(), cells.size());
   std::vector<RainView> views;
   const std::int64_t* next = rain_cells_.data();
   for (const SandRain& rain : config_.rains) {
@@ -151,7 +151,7 @@ void TileBackend<Machine, Tile>::take_rains() {
     next += rain.cells.size();
   }
   rains_ = allocate<RainView>(views.size());
-  machine_.upload(rains_.data(), views.data(), views.size());
+  machine_->upload(rains_.data(), views.data(), views.size());
 }
 
 template <class Machine, class Tile>
@@ -166,13 +166,13 @@ double TileBackend<Machine, Tile>::bytes_per_step() const {
 
 template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::launch_step(bool rain_follows) {
-  machine_.launch(StepKernel<Tile>{tile_, layout_, control_array_.data(), rain_follows}, grid_, shape_,
-                  step_shared_bytes<Tile>(shape_));
+  machine_->launch(StepKernel<Tile>{tile_, layout_, control_array_.data(), rain_follows}, grid_, shape_,
+                   step_shared_bytes<Tile>(shape_));
 }
 
 template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::launch_maxima() {
-  machine_.launch(MaximaKernel<Tile>{tile_, control_array_.data(), maxima_}, cell_blocks(), {row_width, 1}, 0);
+  machine_->launch(MaximaKernel<Tile>{tile_, control_array_.data(), maxima_}, cell_blocks(), {cell_threads, 1}, 0);
 }
 
 template <class Machine, class Tile>
@@ -187,7 +187,7 @@ void TileBackend<Machine, Tile>::advance(StepLoop& loop, const StepRules& rules,
     const bool rains = !config_.rains.empty();
     launch_step(rains);
     if (rains) {
-      machine_.launch(
+      machine_->launch(
           RainKernel<Tile>{tile_, control_array_.data(), rains_.data(), static_cast<int>(config_.rains.size()), true},
           {1, 1}, {sum_lanes, 1}, block_sum_bytes);
     }
@@ -198,7 +198,7 @@ void TileBackend<Machine, Tile>::advance(StepLoop& loop, const StepRules& rules,
   {
     StageTimer timer(*stages.step, 0.0, 0);  // the seconds of the whole loop
     put_control();
-    machine_.repeat(body, &control_array_.data()->go, meanwhile);
+    machine_->repeat(loop_, body, &control_array_.data()->go, meanwhile);
     get_control();
   }
   loop = control_.loop;
@@ -227,17 +227,17 @@ StepOutcome TileBackend<Machine, Tile>::step(double dt) {
 
 template <class Machine, class Tile>
 double TileBackend<Machine, Tile>::rain(const SandRain& rain, double dt) {
-  const Array<std::int64_t> cells(machine_, rain.cells.size());
-  machine_.upload(cells.data(), rain.cells.data(), rain.cells.size());
+  const Array<std::int64_t> cells(*machine_, rain.cells.size());
+  machine_->upload(cells.data(), rain.cells.data(), rain.cells.size());
   const RainView view{cells.data(), static_cast<std::int64_t>(rain.cells.size()), rain.rate, 0.0, dt};
-  const Array<RainView> views(machine_, 1);
-  machine_.upload(views.data(), &view, 1);
+  const Array<RainView> views(*machine_, 1);
+  machine_->upload(views.data(), &view, 1);
   control_.loop = {};
   control_.loop.step = dt;
   control_.go = 1;
   put_control();
-  machine_.launch(RainKernel<Tile>{tile_, control_array_.data(), views.data(), 1, false}, {1, 1}, {sum_lanes, 1},
-                  block_sum_bytes);
+  machine_->launch(RainKernel<Tile>{tile_, control_array_.data(), views.data(), 1, false}, {1, 1}, {sum_lanes, 1},
+                   block_sum_bytes);
   get_control();
   control_.fastest = std::max(control_.fastest, control_.fastest_new);
   control_.fastest_new = 0;

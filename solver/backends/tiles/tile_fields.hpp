@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 
 #include "solver/backends/ghost.hpp"
 #include "solver/field.hpp"
@@ -84,7 +83,7 @@ enum StepBit : int { bit_moving = 1, bit_changed = 2, bit_broken = 4 };
 /// What a new cell says of the step.
 template <class R>
 SANDSIM_HD int step_bits(R h_old, R hu_old, R hv_old, R h, R hu, R hv) {
-  constexpr R largest = std::numeric_limits<R>::max();
+  const R largest = physics::largest_number<R>;
   const bool sound = h >= R(0) && h <= largest && physics::absolute(hu) + physics::absolute(hv) <= largest;
   return ((hu != R(0)) | (hv != R(0)) ? bit_moving : 0) |
          ((h != h_old) | (hu != hu_old) | (hv != hv_old) ? bit_changed : 0) | (sound ? 0 : bit_broken);
