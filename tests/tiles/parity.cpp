@@ -1,4 +1,5 @@
-// The kernels of a device, run on the host block by block, against the CPU backend: the same bits.
+#include "tests/tiles/parity.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +8,6 @@
 
 #include "solver/numerics.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/tiles/host_tiles.hpp"
 
 namespace sandsim::test {
 namespace {
@@ -121,7 +121,9 @@ const std::vector<Variant>& variants() {
   return all;
 }
 
-TEST_CASE("A step on tiles gives the bits of the CPU backend") {
+}  // namespace
+
+void check_steps(const MakeBackend& make) {
   unsigned seed = 0;
   for (const Variant& variant : variants()) {
     for (const Numerics& numerics : all_numerics()) {
@@ -129,7 +131,7 @@ TEST_CASE("A step on tiles gives the bits of the CPU backend") {
               static_cast<int>(numerics.precision), static_cast<int>(variant.ground));
       const Setting s = make_setting(variant, numerics, ++seed);
       const auto cpu = make_cpu_backend(s.config, s.initial);
-      const auto tiles = make_host_tiles(s.config, s.initial);
+      const auto tiles = make(s.config, s.initial);
       cpu->set_state(s.state), tiles->set_state(s.state);
       for (int n = 0; n < 12; ++n) {
         REQUIRE(tiles->stable_step() == cpu->stable_step());
@@ -151,6 +153,8 @@ TEST_CASE("A step on tiles gives the bits of the CPU backend") {
   }
 }
 
+namespace {
+
 /// A loop to `due` as a run has it, in pieces of `most` steps.
 StepLoop run_loop(Backend& backend, const StepRules& rules, std::int64_t most) {
   StageReport step{"step", 0.0, 0, 0.0}, sources{"sources", 0.0, 0, 0.0}, maxima{"maxima", 0.0, 0, 0.0};
@@ -164,7 +168,9 @@ StepLoop run_loop(Backend& backend, const StepRules& rules, std::int64_t most) {
   return loop;
 }
 
-TEST_CASE("A loop of steps with sources and maxima on tiles goes as on the CPU") {
+}  // namespace
+
+void check_loops(const MakeBackend& make) {
   unsigned seed = 100;
   for (const Variant& variant : variants()) {
     for (const Numerics& numerics : all_numerics()) {
@@ -176,7 +182,7 @@ TEST_CASE("A loop of steps with sources and maxima on tiles goes as on the CPU")
       StepRules rules;
       rules.due = 0.08, rules.minimum_step = 1e-9, rules.rain_step = 0.01, rules.rain_end = 0.06;
       const auto cpu = make_cpu_backend(s.config, s.initial);
-      const auto tiles = make_host_tiles(s.config, s.initial);
+      const auto tiles = make(s.config, s.initial);
       cpu->set_state(s.state), tiles->set_state(s.state);
       const StepLoop a = run_loop(*cpu, rules, 1), b = run_loop(*tiles, rules, 7);
       CHECK(a.steps == b.steps);
@@ -201,5 +207,4 @@ TEST_CASE("A loop of steps with sources and maxima on tiles goes as on the CPU")
   }
 }
 
-}  // namespace
 }  // namespace sandsim::test

@@ -1,0 +1,18 @@
+// Checks that a backend gives the bits of the CPU backend: the same cases for tiles on the host and on a device.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "solver/backend.hpp"
+
+namespace sandsim::test {
+
+using MakeBackend = std::function<std::unique_ptr<Backend>(const BackendConfig&, const InitialState&)>;
+
+/// Single steps: state, outcome, speeds, sums, over grids, boundaries, terrains, schemes and precisions.
+void check_steps(const MakeBackend& make);
+/// Loops of steps with sources and maxima, and the capture of a frame.
+void check_loops(const MakeBackend& make);
+
+}  // namespace sandsim::test
