@@ -24,6 +24,10 @@ TEST_CASE("A loop of steps with sources and maxima on the device goes as on the 
   check_loops(make_cuda_backend);
 }
 
+TEST_CASE("Runs side by side on the device go as each on the CPU") {
+  check_ensemble(make_cuda_ensemble);
+}
+
 TEST_CASE("A run on the device hands out the frames of a run on the CPU") {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     Scene scene = collapse(300, 70, precision);

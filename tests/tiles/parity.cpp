@@ -207,4 +207,70 @@ void check_loops(const MakeBackend& make) {
   }
 }
 
+namespace {
+
+/// Small grids fit a block's shared memory; with a large one the states stay where they are.
+enum class Group { small_planes, planes, rows };
+
+/// Runs of one scheme with sources.
+std::vector<EnsembleMember> make_members(const Numerics& numerics, Group group, std::vector<StateArrays>& states) {
+  std::vector<EnsembleMember> members;
+  unsigned seed = 300;
+  std::vector<Variant> all = variants();
+  if (group == Group::planes) {
+    all.push_back({120, 90, {wall, open, periodic, periodic}, Ground::terrain, 0, 0});
+  }
+  for (const Variant& variant : all) {
+    if ((variant.ny == 1) == (group == Group::rows) && variant.nx <= ensemble_columns) {
+      Setting s = make_setting(variant, numerics, ++seed);
+      s.config.rains = {{{0}, 0.1 * seed, 0.01, 0.05}};
+      members.push_back({s.config, s.initial});
+      states.push_back(s.state);
+    }
+  }
+  return members;
+}
+
+}  // namespace
+
+void check_ensemble(const MakeEnsemble& make) {
+  StepRules rules;
+  rules.due = 0.06, rules.minimum_step = 1e-9, rules.rain_step = 0.01, rules.rain_end = 0.05;
+  for (const Numerics& numerics : all_numerics()) {
+    for (const Group group : {Group::small_planes, Group::planes, Group::rows}) {
+      std::vector<StateArrays> states;
+      const std::vector<EnsembleMember> members = make_members(numerics, group, states);
+      const auto ensemble = make(members);
+      REQUIRE(ensemble->size() == members.size());
+      std::vector<StepLoop> loops(members.size());
+      std::vector<StepRules> all_rules(members.size(), rules);
+      for (std::size_t k = 0; k < members.size(); ++k) {
+        all_rules[k].due += 0.001 * static_cast<double>(k);
+        ensemble->member(k).set_state(states[k]);
+        loops[k].plan(all_rules[k], ensemble->member(k).stable_step());
+      }
+      const auto runs = [](StepLoop& loop) {
+        loop.halt = loop.halt == Halt::smallest_step ? Halt::none : loop.halt;
+        return loop.halt == Halt::none;
+      };
+      while (std::count_if(loops.begin(), loops.end(), runs) > 0) {
+        ensemble->advance(loops, all_rules, 5);
+      }
+      for (std::size_t k = 0; k < members.size(); ++k) {
+        CAPTURE(k, static_cast<int>(group), numerics.order, static_cast<int>(numerics.scheme),
+                static_cast<int>(numerics.precision));
+        const auto cpu = make_cpu_backend(members[k].config, members[k].initial);
+        cpu->set_state(states[k]);
+        const StepLoop expected = run_loop(*cpu, all_rules[k], 1000);
+        CHECK(loops[k].steps == expected.steps);
+        CHECK(loops[k].time == expected.time);
+        CHECK(loops[k].volume_in == expected.volume_in);
+        CHECK(same_bits(ensemble->member(k).field("depth"), cpu->field("depth")));
+        CHECK(same_bits(ensemble->member(k).field("momentum_y"), cpu->field("momentum_y")));
+        CHECK(same_bits(ensemble->member(k).maxima().arrival_time, cpu->maxima().arrival_time));
+      }
+    }
+  }
+}
+
 }  // namespace sandsim::test

@@ -21,11 +21,14 @@ std::unique_ptr<Backend> make_paper(const BackendConfig& config, const InitialSt
 
 template <class R, int Order>
 std::unique_ptr<Backend> make_balanced(const BackendConfig& config, const InitialState& initial) {
-  return choose_instance(config, initial, [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
-    using Rows = BalancedRows<R, Order, flat.value, uniform.value, one_d.value>;
-    const auto make = [](const StepFields<R>& fields, const physics::StepParameters<R>& p) { return Rows(fields, p); };
-    return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
-  });
+  return choose_instance(variant_of(config, initial),
+                         [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
+                           using Rows = BalancedRows<R, Order, flat.value, uniform.value, one_d.value>;
+                           const auto make = [](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
+                             return Rows(fields, p);
+                           };
+                           return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
+                         });
 }
 
 template <class R>
@@ -34,14 +37,15 @@ std::unique_ptr<Backend> make_paper(const BackendConfig& config, const InitialSt
   const bool gate = config.numerics.rest_gate;
   const bool desingularised = config.numerics.velocity == VelocityForm::desingularised;
   const R courant = static_cast<R>(config.courant);
-  return choose_instance(config, initial, [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
-    using Rows = PaperRows<R, flat.value, uniform.value, one_d.value>;
-    const auto make = [=](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
-      const physics::PaperSwitches<Pack<R>> switches{factor, physics::Mask<Pack<R>>(gate)};
-      return Rows(fields, p, switches, desingularised, courant);
-    };
-    return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
-  });
+  return choose_instance(variant_of(config, initial),
+                         [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
+                           using Rows = PaperRows<R, flat.value, uniform.value, one_d.value>;
+                           const auto make = [=](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
+                             const physics::PaperSwitches<Pack<R>> switches{factor, physics::Mask<Pack<R>>(gate)};
+                             return Rows(fields, p, switches, desingularised, courant);
+                           };
+                           return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
+                         });
 }
 
 }  // namespace sandsim::cpu

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "solver/backend.hpp"
+#include "solver/ensemble.hpp"
 
 namespace sandsim {
 

@@ -23,6 +23,9 @@ CudaMachine::CudaMachine() {
   processors_ = survey.processors;
   drivers_loops_ = survey.driver >= driver_with_loops;
   check(cudaSetDevice(0), "be chosen");
+  int bytes = 0;
+  check(cudaDeviceGetAttribute(&bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, 0), "tell its shared memory");
+  shared_bytes_a_block_ = static_cast<std::size_t>(bytes);
   check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "make a stream");
   check(cudaStreamCreateWithFlags(&copies_, cudaStreamNonBlocking), "make a stream for copies");
   check(cudaEventCreateWithFlags(&made_, cudaEventDisableTiming), "make an event");

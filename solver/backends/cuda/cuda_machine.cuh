@@ -64,6 +64,7 @@ class CudaMachine {
 
   std::string name() const { return name_; }
   int processors() const { return processors_; }
+  std::size_t shared_bytes_a_block() const { return shared_bytes_a_block_; }
   std::size_t free_bytes() const;
   cudaStream_t stream() const { return stream_; }
 
@@ -150,6 +151,7 @@ class CudaMachine {
 
   std::string name_;
   int processors_ = 1;
+  std::size_t shared_bytes_a_block_ = 0;
   bool drivers_loops_ = false;  // whether the driver repeats graphs by itself
   cudaStream_t stream_ = nullptr, copies_ = nullptr;
   cudaEvent_t made_ = nullptr;

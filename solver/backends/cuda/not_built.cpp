@@ -15,4 +15,8 @@ std::unique_ptr<Backend> make_cuda_backend(const BackendConfig&, const InitialSt
   throw DeviceError(survey_cuda().problem);
 }
 
+std::unique_ptr<Ensemble> make_cuda_ensemble(const std::vector<EnsembleMember>&) {
+  throw DeviceError(survey_cuda().problem);
+}
+
 }  // namespace sandsim

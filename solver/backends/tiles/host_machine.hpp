@@ -37,6 +37,8 @@ class HostMachine {
 
   std::string name() const { return "tiles on the host"; }
   int processors() const { return 1; }
+  /// As a block of a large device has.
+  std::size_t shared_bytes_a_block() const { return 227 << 10; }
   std::size_t free_bytes() const { return std::numeric_limits<std::size_t>::max(); }
 
   template <class T>

@@ -13,6 +13,7 @@
 #include "solver/backend.hpp"
 #include "solver/backends/diagnostics.hpp"
 #include "solver/backends/halo.hpp"
+#include "solver/backends/tiles/ensemble_kernel.hpp"
 #include "solver/backends/tiles/kernels.hpp"
 #include "solver/errors.hpp"
 #include "solver/stage_timer.hpp"
@@ -63,8 +64,12 @@ class TileBackend final : public Backend {
     return inspect([](const auto& d) { return first_broken(d); });
   }
 
-  /// For launches of many backends together.
-  const Tile& tile() const { return tile_; }
+  /// For launches of many backends together, whose controls are elsewhere on the machine.
+  MemberView<Tile> view(Control<R>* control) const {
+    return {tile_, control, rains_.data(), static_cast<int>(config_.rains.size()), maxima_};
+  }
+  Control<R> control_for(const StepLoop& loop, const StepRules& rules, std::int64_t most) const;
+  void take_control(const Control<R>& control) { control_ = control; }
 
  private:
   int nx() const { return config_.grid.cells[0]; }

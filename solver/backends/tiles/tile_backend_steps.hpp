@@ -176,13 +176,21 @@ void TileBackend<Machine, Tile>::launch_maxima() {
 }
 
 template <class Machine, class Tile>
+auto TileBackend<Machine, Tile>::control_for(const StepLoop& loop, const StepRules& rules, std::int64_t most) const
+    -> Control<R> {
+  Control<R> control = control_;
+  control.loop = loop;
+  control.rules = rules;
+  control.remaining = most;
+  control.go = loop.halt == Halt::none && most > 0 ? 1 : 0;
+  return control;
+}
+
+template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::advance(StepLoop& loop, const StepRules& rules, std::int64_t most,
                                          const LoopStages& stages, const std::function<void()>& meanwhile) {
   const std::int64_t before = loop.steps;
-  control_.loop = loop;
-  control_.rules = rules;
-  control_.remaining = most;
-  control_.go = loop.halt == Halt::none && most > 0 ? 1 : 0;
+  control_ = control_for(loop, rules, most);
   const auto body = [this] {
     const bool rains = !config_.rains.empty();
     launch_step(rains);
