@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "solver/backends/cuda/cuda.hpp"
+
 namespace sandsim::cli {
 
 /// Model name of the processor, or "unknown processor".
@@ -20,5 +22,8 @@ std::size_t last_level_cache();
 
 /// [B] Memory that can be had without swapping; 0 if the system does not tell.
 double available_memory();
+
+/// The CUDA device in one line, or why there is none.
+std::string cuda_line(const CudaSurvey& survey);
 
 }  // namespace sandsim::cli
