@@ -125,10 +125,17 @@ void add_devices(CLI::App& app, Arguments& all) {
 void add_bench(CLI::App& app, Arguments& all) {
   BenchArguments& bench = all.bench;
   CLI::App& command = *app.add_subcommand("bench", "Measure the step against this machine's copy bandwidth");
-  command.add_option("--size", bench.size, "Cells along each side")
+  const auto choose_device = [&bench](const std::string& name) {
+    bench.device = name == "cuda" ? Device::cuda : Device::cpu;
+  };
+  command.add_option_function<std::string>("--device", choose_device, "What is measured; cpu if absent")
+      ->type_name("cpu|cuda")
+      ->check(one_of({"cpu", "cuda"}));
+  command
+      .add_option("--size", bench.size,
+                  "Cells along each side; 2048 if absent, with --device cuda all of 64, 128, ..., 16384")
       ->type_name("N")
-      ->check(CLI::Range(16, 32768))
-      ->capture_default_str();
+      ->check(CLI::Range(16, 32768));
   add_threads(command, bench.threads);
   command.add_option("--repeats", bench.repeats, "Measurements of each number")
       ->type_name("K")

@@ -1,105 +1,63 @@
 #include "cli/bench_step.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
-#include <cmath>
-#include <memory>
-#include <numbers>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
-#include "solver/backend.hpp"
-#include "solver/numerics.hpp"
 #include "solver/simulation.hpp"
 
 namespace sandsim::cli {
 
 namespace {
 
-constexpr double spacing = 0.01;  // [m] as in the paper's flume
+using Clock = std::chrono::steady_clock;
 
-/// sin(2 pi waves k/size) for every k: whole waves fit a periodic grid.
-std::vector<double> wave(int size, int waves) {
-  std::vector<double> values(static_cast<std::size_t>(size));
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    values[k] = std::sin(2.0 * std::numbers::pi * waves * static_cast<double>(k) / size);
-  }
-  return values;
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Waves of several lengths in both directions, between -1 and 1.
-class Waves {
+/// Steps of a backend as a run takes them, each as long as is stable, on the way to a frame that is far away.
+class Steps {
  public:
-  explicit Waves(int size) : long_(wave(size, 3)), middle_(wave(size, 17)), short_(wave(size, size / 16)) {}
+  Steps(Backend& backend, const StateArrays& state) : backend_(backend), state_(state) { restart(); }
 
-  double at(std::size_t i, std::size_t j) const {
-    return 0.5 * long_[i] * long_[j] + 0.3 * middle_[i] * middle_[j] + 0.2 * short_[i] * short_[j];
+  void restart() {
+    backend_.set_state(state_);
+    loop_ = {};
+    loop_.plan(rules_, backend_.stable_step());
+    take(2);  // The first step finds the caches full of something else, and a device records its loop.
+  }
+  /// From the first state again where friction would stop some of the sand on the way.
+  void restart_before(int count) {
+    if (loop_.steps + count > steps_that_move) {
+      restart();
+    }
+  }
+  void take(int count) {
+    const std::int64_t end = loop_.steps + count;
+    while (loop_.steps < end) {
+      if (loop_.halt != Halt::none && loop_.halt != Halt::smallest_step) {
+        throw std::logic_error("the steps of the bench came to a halt");
+      }
+      loop_.halt = Halt::none;
+      backend_.advance(loop_, rules_, end - loop_.steps, {&stage_, nullptr, nullptr}, [] {});
+    }
+  }
+  /// [s]
+  double time(int count) {
+    const auto begin = Clock::now();
+    take(count);
+    return seconds_since(begin);
   }
 
  private:
-  std::vector<double> long_, middle_, short_;
+  Backend& backend_;
+  const StateArrays& state_;
+  StepRules rules_{.due = 1e9};
+  StepLoop loop_;
+  StageReport stage_;
 };
-
-/// Sand 14 to 26 cm deep that moves at 3 m/s along x and 1 m/s along y, give or take half a metre per second: friction
-/// needs hundreds of steps to stop any of it.
-template <class Real>
-StateArrays moving_state(int size) {
-  const auto side = static_cast<std::size_t>(size);
-  const Waves waves(size);
-  std::vector<Real> depth(side * side), momentum_x(side * side), momentum_y(side * side);
-  for (std::size_t j = 0; j < side; ++j) {
-    for (std::size_t i = 0; i < side; ++i) {
-      const double ripple = waves.at(i, j);
-      const double turned = waves.at(side - 1 - j, i);
-      const double h = 0.2 + 0.06 * ripple;
-      depth[j * side + i] = static_cast<Real>(h);
-      momentum_x[j * side + i] = static_cast<Real>(h * (3.0 + 0.5 * turned));
-      momentum_y[j * side + i] = static_cast<Real>(h * (1.0 - 0.5 * turned));
-    }
-  }
-  return {std::move(depth), std::move(momentum_x), std::move(momentum_y)};
-}
-
-InitialState initial_state(const StepCase& which, int size) {
-  const auto side = static_cast<std::size_t>(size);
-  InitialState initial;
-  initial.depth.assign(side * side, 0.2);
-  initial.friction_coefficient = {0.5985};  // Section 7.1 of the paper, as is hbar = min(0.8 h, 5 cm).
-  initial.hbar_scale = {0.8};
-  initial.hbar_cap = {0.05};
-  if (which.terrain) {
-    const Waves waves(size);
-    initial.bed.resize(side * side);
-    for (std::size_t j = 0; j < side; ++j) {
-      for (std::size_t i = 0; i < side; ++i) {
-        initial.bed[j * side + i] = 0.05 * waves.at(j, i);
-      }
-    }
-  }
-  return initial;
-}
-
-BackendConfig backend_config(const StepCase& which, int size, int threads) {
-  BackendConfig config;
-  config.grid.cells = {size, size};
-  config.grid.spacing = spacing;
-  config.boundaries = {BoundaryKind::periodic, BoundaryKind::periodic, BoundaryKind::periodic, BoundaryKind::periodic};
-  config.numerics.scheme = which.scheme;
-  config.numerics.order = which.order;
-  config.numerics.precision = which.precision;
-  config.courant = default_courant(config.numerics);
-  config.threads = threads;
-  return config;
-}
-
-/// [s] for some steps, each as long as is stable, as in a run.
-double time_steps(Backend& backend, int steps) {
-  const auto begin = std::chrono::steady_clock::now();
-  for (int step = 0; step < steps; ++step) {
-    backend.step(backend.stable_step());
-  }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// A sink that takes everything and does nothing.
 class NoSink : public Sink {
@@ -112,12 +70,13 @@ class NoSink : public Sink {
 Scene dam_break(int columns, int rows) {
   Scene scene;
   scene.grid.cells = {columns, rows};
-  scene.grid.spacing = spacing;
+  scene.grid.spacing = 0.01;
   scene.sand.friction_angle = 0.54;
   scene.sand.hbar = {HbarPolicy::truncated, 0.0, 0.8, 0.05};
   Fill fill;
   fill.depth = 0.2;
-  scene.sand.initial.push_back(SandBox{{0.0, 0.0}, {0.25 * columns * spacing, rows * spacing}, fill});
+  scene.sand.initial.push_back(
+      SandBox{{0.0, 0.0}, {0.25 * columns * scene.grid.spacing, rows * scene.grid.spacing}, fill});
   scene.time.end = 1e-3;
   scene.time.frame_interval = 1e-3;
   return scene;
@@ -125,46 +84,47 @@ Scene dam_break(int columns, int rows) {
 
 }  // namespace
 
-std::vector<StepCase> step_cases(const std::vector<Precision>& precisions) {
-  std::vector<StepCase> cases;
-  for (const Precision precision : precisions) {
-    for (const bool terrain : {false, true}) {
-      cases.push_back({Scheme::paper, 1, precision, terrain});
-      cases.push_back({Scheme::balanced, 1, precision, terrain});
-      cases.push_back({Scheme::balanced, 2, precision, terrain});
-    }
-  }
-  return cases;
-}
-
-std::string scheme_name(const StepCase& which) {
-  return which.scheme == Scheme::paper ? "paper" : fmt::format("balanced order {}", which.order);
-}
-
-double floor_bytes(const StepCase& which) {
-  const double word = which.precision == Precision::float32 ? 4.0 : 8.0;
-  return word * (which.terrain ? 8.0 : 7.0);
-}
-
-StepSpeed measure_step(const StepCase& which, int size, int threads, int repeats, int steps) {
-  const std::unique_ptr<Backend> backend =
-      make_cpu_backend(backend_config(which, size, threads), initial_state(which, size));
-  const StateArrays state =
-      which.precision == Precision::float32 ? moving_state<float>(size) : moving_state<double>(size);
+StepSpeed measure_step(const MakeBackend& make, const StepCase& which, int size, const StateArrays& moving, int threads,
+                       int repeats, int steps) {
+  const std::unique_ptr<Backend> backend = make(bench_config(which, size, threads), bench_initial(which, size));
+  Steps run(*backend, moving);
   const double cells = static_cast<double>(size) * size;
   std::vector<double> rates;
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    backend->set_state(state);
-    time_steps(*backend, 1);  // The first step after set_state() finds the caches full of something else.
-    rates.push_back(cells * steps / time_steps(*backend, steps));
+    run.restart_before(steps);
+    rates.push_back(cells * steps / run.time(steps));
   }
   return {summarise(std::move(rates)), backend->bytes_per_step() / cells,
           static_cast<double>(backend->statistics().moving_cells) / cells};
 }
 
-Measurement measure_start(int columns, int rows, int threads, int repeats) {
+FrameCost measure_frame(const MakeBackend& make, const StepCase& which, int size, int threads, int repeats) {
+  constexpr int long_loop = 50;
+  const std::unique_ptr<Backend> backend = make(bench_config(which, size, threads), bench_initial(which, size));
+  const CaptureRequest request{{"depth", "velocity_x", "velocity_y"}, {}};
+  const StateArrays moving = moving_state(which.precision, size);
+  Steps run(*backend, moving);
+  const auto take_frame = [&] {
+    backend->begin_capture(request);
+    run.take(1);
+    backend->end_capture();
+  };
+  take_frame();  // which reserves its memory
+  std::vector<double> steps, frames;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    run.restart_before(long_loop + 1);
+    steps.push_back(run.time(long_loop) / long_loop);
+    const auto begin = Clock::now();
+    take_frame();
+    frames.push_back(seconds_since(begin));
+  }
+  return {summarise(std::move(frames)), summarise(std::move(steps))};
+}
+
+Measurement measure_start(Device device, int columns, int rows, int threads, int repeats) {
   const Scene scene = dam_break(columns, rows);
   RunOptions options;
+  options.device = device;
   options.threads = threads;
   std::vector<double> seconds;
   for (int repeat = 0; repeat < repeats; ++repeat) {

@@ -1,31 +1,16 @@
-// The speed of the step alone: no frames, no files, no checks.
+// The speed of the step alone, without files and checks, and what a frame and a start cost.
 #pragma once
 
-#include <string>
-#include <vector>
+#include <functional>
+#include <memory>
 
+#include "cli/bench_state.hpp"
 #include "cli/measurement.hpp"
-#include "solver/scene.hpp"
+#include "solver/device.hpp"
 
 namespace sandsim::cli {
 
-/// One line of the table.
-struct StepCase {
-  Scheme scheme = Scheme::balanced;
-  int order = 1;
-  Precision precision = Precision::float32;
-  bool terrain = false;
-};
-
-/// All schemes on flat and on wavy terrain, in the given precisions.
-std::vector<StepCase> step_cases(const std::vector<Precision>& precisions);
-
-/// E.g. "balanced order 2".
-std::string scheme_name(const StepCase& which);
-
-/// [B] a cell and step of the floor that the project judges by: 28 in float32, which is depth and two momenta, read and
-/// written, and one word more; the bed is read where the terrain is not flat.
-double floor_bytes(const StepCase& which);
+using MakeBackend = std::function<std::unique_ptr<Backend>(const BackendConfig&, const InitialState&)>;
 
 struct StepSpeed {
   Measurement cell_steps_per_second;
@@ -33,10 +18,20 @@ struct StepSpeed {
   double moving = 0.0;          // fraction of the cells that still moved at the end
 };
 
-/// Times `repeats` times `steps` steps on size x size periodic cells, all of them moving, from the same state.
-StepSpeed measure_step(const StepCase& which, int size, int threads, int repeats, int steps);
+/// Times `repeats` times `steps` steps on size x size periodic cells, in loops as a run has them from frame to frame.
+/// All cells move: `moving` is the state to start from.
+StepSpeed measure_step(const MakeBackend& make, const StepCase& which, int size, const StateArrays& moving, int threads,
+                       int repeats, int steps);
+
+/// A frame that is taken after every step.
+struct FrameCost {
+  Measurement with_frame;  // [s] a step, and a copy of depth and velocity that is begun before it and ended after it
+  Measurement step;        // [s] a step of a long loop
+  double overhead() const { return with_frame.median - step.median; }
+};
+FrameCost measure_frame(const MakeBackend& make, const StepCase& which, int size, int threads, int repeats);
 
 /// [s] from the start of a run to its first step, for a dam break on columns x rows cells.
-Measurement measure_start(int columns, int rows, int threads, int repeats);
+Measurement measure_start(Device device, int columns, int rows, int threads, int repeats);
 
 }  // namespace sandsim::cli

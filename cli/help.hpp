@@ -71,13 +71,16 @@ Examples:
 inline constexpr const char* devices = R"(Example:
   sandsim devices)";
 
-inline constexpr const char* bench = R"(Three measurements:
-  - the copy bandwidth of this machine: arrays much larger than the last-level cache, ordinary (not
-    non-temporal) stores, bytes counted as read + written;
+inline constexpr const char* bench = R"(What is measured, on the processor or on a CUDA device:
+  - the copy bandwidth: arrays much larger than the last-level cache, bytes counted as read + written. On the
+    processor ordinary (not non-temporal) stores; on a device the faster of the runtime's copy and a kernel's;
+  - the arithmetic: additions and multiplications, divisions and square roots a second, in registers;
   - the speed of the step on SIZE x SIZE cells that all move, periodic, on flat and on wavy terrain, for the
-    paper scheme and the balanced scheme of order 1 and 2. The floor is the time to copy 28 bytes a cell in
-    float32, 56 in float64, and the bed's 4 or 8 more where the terrain is not flat. 'bytes a cell' is what
-    the step itself counts: depth and two momenta, read and written, and the bed;
+    paper scheme and the balanced scheme of order 1 and 2, in loops as a run has them from frame to frame. The
+    floor is the time to copy 28 bytes a cell in float32, 56 in float64, and the bed's 4 or 8 more where the
+    terrain is not flat; grids that a cache holds can beat it. 'bytes a cell' is what the step itself counts:
+    depth and two momenta, read and written, and the bed. Sizes that the memory does not hold are skipped;
+  - what a frame adds to a step that it is taken beside, on 256 x 256 cells;
   - the time the solver needs from a scene in memory to the first step, without output (log.txt of a run says
     how long it took from the command, reading and files included).
 Numbers are medians of the repeats, with the range from the slowest to the fastest.
@@ -85,6 +88,7 @@ Numbers are medians of the repeats, with the range from the slowest to the faste
 Examples:
   sandsim bench
   sandsim bench --threads 1 --precision float32
+  sandsim bench --device cuda --size 4096
   sandsim bench --quick --json)";
 
 }  // namespace sandsim::cli::help

@@ -1,5 +1,6 @@
 #include "cli/machine.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 #include <unistd.h>
 
@@ -8,6 +9,8 @@
 #include <fstream>
 #include <optional>
 #include <string_view>
+
+#include "cli/text.hpp"
 
 namespace sandsim::cli {
 
@@ -26,11 +29,11 @@ std::optional<std::string> find_entry(const char* file, std::string_view key) {
   return std::nullopt;
 }
 
-}  // namespace
-
-bool has_cuda_backend() {
-  return false;
+std::string cuda_version(int number) {
+  return fmt::format("{}.{}", number / 1000, number % 1000 / 10);
 }
+
+}  // namespace
 
 std::string processor_name() {
   return find_entry("/proc/cpuinfo", "model name").value_or("unknown processor");
@@ -72,6 +75,16 @@ std::size_t last_level_cache() {
 double available_memory() {
   const std::optional<std::string> kibibytes = find_entry("/proc/meminfo", "MemAvailable");
   return kibibytes ? 1024.0 * std::strtod(kibibytes->c_str(), nullptr) : 0.0;
+}
+
+std::string cuda_line(const CudaSurvey& survey) {
+  if (!survey.problem.empty()) {
+    return survey.problem;
+  }
+  return fmt::format("{}, compute capability {}.{}, {} multiprocessors, {} of {} of memory free, driver {}, runtime {}",
+                     survey.name, survey.capability / 10, survey.capability % 10, survey.processors,
+                     format_bytes(static_cast<double>(survey.free)), format_bytes(static_cast<double>(survey.total)),
+                     cuda_version(survey.driver), cuda_version(survey.runtime));
 }
 
 }  // namespace sandsim::cli

@@ -4,10 +4,9 @@
 #include <cstddef>
 #include <string>
 
-namespace sandsim::cli {
+#include "solver/backends/cuda/cuda.hpp"
 
-/// Whether this sandsim has a CUDA backend.
-bool has_cuda_backend();
+namespace sandsim::cli {
 
 /// Model name of the processor, or "unknown processor".
 std::string processor_name();
@@ -23,5 +22,8 @@ std::size_t last_level_cache();
 
 /// [B] Memory that can be had without swapping; 0 if the system does not tell.
 double available_memory();
+
+/// The CUDA device in one line, or why there is none.
+std::string cuda_line(const CudaSurvey& survey);
 
 }  // namespace sandsim::cli

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace sandsim::cli {
+#include "solver/device.hpp"
 
-enum class Device { automatic, cpu, cuda };
+namespace sandsim::cli {
 
 struct RunArguments {
   std::string scene;                   // file, or folder that holds a scene.yaml
@@ -41,8 +41,9 @@ struct SchemaArguments {
 };
 
 struct BenchArguments {
-  int size = 2048;  // cells along each side
-  int threads = 0;  // 0: all
+  Device device = Device::cpu;  // cpu or cuda
+  std::optional<int> size;      // cells along each side; absent: what suits the device
+  int threads = 0;              // 0: all
   int repeats = 5;
   std::optional<std::string> precision;  // absent: both
   bool quick = false;                    // small and short: shows that it works, measures little

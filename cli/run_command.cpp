@@ -8,7 +8,6 @@
 #include "cli/commands.hpp"
 #include "cli/failures.hpp"
 #include "cli/input_files.hpp"
-#include "cli/machine.hpp"
 #include "cli/memory.hpp"
 #include "cli/run_paths.hpp"
 #include "cli/run_session.hpp"
@@ -18,6 +17,7 @@
 #include "io/output/series_writer.hpp"
 #include "io/scene/resolved_scene.hpp"
 #include "io/scene/scene_reader.hpp"
+#include "solver/device.hpp"
 #include "solver/errors.hpp"
 
 namespace sandsim::cli {
@@ -25,14 +25,6 @@ namespace sandsim::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-void require_device(Device device) {
-  if (device == Device::cuda && !has_cuda_backend()) {
-    throw DeviceError(
-        "--device cuda: this sandsim was built without a CUDA backend\n"
-        "  use --device cpu or auto; 'sandsim devices' lists what there is");
-  }
-}
 
 RunInput read_input(const RunArguments& arguments, Console& console) {
   const fs::path file = scene_file(arguments.scene);
@@ -51,6 +43,7 @@ RunInput read_input(const RunArguments& arguments, Console& console) {
   // The copy in the results has to find the scene's files from there; the hash must not depend on where they are.
   input.resolved = resolved_scene(input.scene, fs::absolute(file).parent_path());
   input.hash = scene_hash(resolved_scene(input.scene), input_files(input.scene, file.parent_path()));
+  input.device = choose_device(arguments.device, input.scene.grid);
   input.directory = arguments.output.empty() ? default_output_directory(file) : fs::path(arguments.output);
   return input;
 }
@@ -95,7 +88,6 @@ Checkpoint load_checkpoint(const RunInput& input, const OutputFiles& files) {
 }
 
 ExitCode run_scene(const RunArguments& arguments, Console& console, RunContext& context) {
-  require_device(arguments.device);
   const RunInput input = read_input(arguments, console);
   context.title = input.scene.title;
   context.scene_hash = input.hash;

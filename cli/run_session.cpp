@@ -84,7 +84,7 @@ ExitCode RunSession::run(const Checkpoint* checkpoint) {
 }
 
 RunReport RunSession::execute(const Checkpoint* checkpoint) {
-  SeriesSettings settings{files_.series, input_.resolved, "cpu", arguments_.command_line, {}};
+  SeriesSettings settings{files_.series, input_.resolved, input_.device.name, arguments_.command_line, {}};
   if (checkpoint != nullptr) {
     settings.resume_frames = checkpoint->frames;
   }
@@ -92,6 +92,7 @@ RunReport RunSession::execute(const Checkpoint* checkpoint) {
   AsyncSink sink(writer, [this](const std::string& message) { log_.error(message); });
   ProgressBar bar(console_.err, console_.terminal && !arguments_.quiet);
   RunOptions options;
+  options.device = input_.device.device;
   options.threads = arguments_.threads;
   options.interrupt = &signals_.interrupted();
   options.max_wall = arguments_.max_wall;
@@ -138,7 +139,7 @@ void RunSession::log_start(const Checkpoint* checkpoint) {
   const Grid& grid = input_.scene.grid;
   say(fmt::format("{}: {} x {} cells of {:.4g} m, {}", arguments_.scene, grid.cells[0], grid.cells[1], grid.spacing,
                   input_.hash));
-  say(fmt::format("device cpu{}", arguments_.device == Device::automatic ? " (auto)" : ""));
+  say(fmt::format("device {} ({})", input_.device.name, input_.device.reason));
   say("results in " + files_.directory.string());
   if (checkpoint != nullptr) {
     say(fmt::format("going on from {:.6g} s, step {}, {} frames", checkpoint->time, checkpoint->steps,

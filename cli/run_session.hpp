@@ -22,6 +22,7 @@ struct RunInput {
   std::string resolved;  // YAML
   std::string hash;
   std::vector<std::string> warnings;
+  DeviceChoice device;
   std::filesystem::path directory;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,8 +11,16 @@
 #include "solver/report.hpp"
 #include "solver/scene.hpp"
 #include "solver/sink.hpp"
+#include "solver/stepping.hpp"
 
 namespace sandsim {
+
+/// Sand to be added to the cells of a source.
+struct SandRain {
+  std::vector<std::int64_t> cells;  // j * nx + i
+  double rate = 0.0;                // [m/s] growth of depth in each of them
+  double start = 0.0, end = 0.0;    // [s]
+};
 
 /// What a backend has to know besides the initial state.
 struct BackendConfig {
@@ -20,19 +29,12 @@ struct BackendConfig {
   Boundaries boundaries;
   Numerics numerics;
   double courant = 0.6;
+  std::vector<SandRain> rains;
   bool maxima = false;         // keep max_depth, max_speed, arrival_time
   double arrival_depth = 0.0;  // [m]
   int threads = 0;             // 0: as many as the machine has; results do not depend on it
   int tile_columns = 0;        // 0: chosen by the backend; results do not depend on it
   int block_rows = 0;          // likewise
-};
-
-/// What a step did.
-struct StepOutcome {
-  bool moving = false;      // some cell has momentum
-  bool changed = false;     // some depth or momentum differs from before the step
-  bool broken = false;      // some value is not finite, or a depth is negative
-  double volume_out = 0.0;  // [m^3] left through open sides
 };
 
 /// Depth and momentum: ny * nx, x fastest, in the run's precision.
@@ -48,17 +50,27 @@ struct GridStatistics {
   std::int64_t moving_cells = 0;
 };
 
-/// Sand to be added to the cells of a source.
-struct SandRain {
-  std::vector<std::int64_t> cells;  // j * nx + i
-  double rate = 0.0;                // [m/s] growth of depth in each of them
-};
-
 /// A cell with the speed that bounds the step there.
 struct SpeedLimit {
   int i = -1;
   int j = -1;
   double speed = 0.0;  // [m/s]
+};
+
+/// The stages of a run's report that a loop of steps adds to; null where the scene has no such stage.
+struct LoopStages {
+  StageReport *step = nullptr, *sources = nullptr, *maxima = nullptr;
+};
+
+/// What is taken from a state for a frame.
+struct CaptureRequest {
+  std::vector<std::string> fields;  // names as in series.h5
+  std::vector<std::int64_t> cells;  // of the probes: j * nx + i
+};
+struct Capture {
+  std::vector<FieldValues> fields;  // in the order of the request
+  std::vector<ProbeSample> probes;
+  GridStatistics statistics;
 };
 
 /// Holds the state and advances it.
@@ -82,7 +94,16 @@ class Backend {
   /// Largest |ds|/(mu dx) - 1 over the faces between wet cells, 0 if none is above mu. (A slow search.) [-]
   virtual double slope_violation() const = 0;
 
-  /// One step of length dt [s] with the paper's or the balanced scheme.
+  /// Takes the planned step of `loop` and those that follow by `rules`, sources and maxima included, until the loop
+  /// halts or `most` steps are done. Calls `meanwhile` once: a device works on while it runs.
+  virtual void advance(StepLoop& loop, const StepRules& rules, std::int64_t most, const LoopStages& stages,
+                       const std::function<void()>& meanwhile) = 0;
+  /// Begins to take a copy of the present state; the next steps may follow at once.
+  virtual void begin_capture(const CaptureRequest& request) = 0;
+  /// The copy that was begun last, when it is complete.
+  virtual Capture end_capture() = 0;
+
+  /// One step of length dt [s] with the paper's or the balanced scheme, without sources and maxima.
   virtual StepOutcome step(double dt) = 0;
   /// Adds rate * dt to the depth of each cell of the rain; returns the volume that the cells gained. [m^3]
   virtual double rain(const SandRain& rain, double dt) = 0;
@@ -101,6 +122,10 @@ class Backend {
   /// First cell with a value that is not finite or a negative depth, in row order; i = -1 if there is none.
   virtual Incident find_broken() const = 0;
 };
+
+/// Backend::advance() for a backend that is told each step.
+void advance_step_by_step(Backend& backend, const BackendConfig& config, StepLoop& loop, const StepRules& rules,
+                          std::int64_t most, const LoopStages& stages);
 
 /// The CPU backend. Throws DeviceError if the memory is not there.
 std::unique_ptr<Backend> make_cpu_backend(const BackendConfig& config, const InitialState& initial);

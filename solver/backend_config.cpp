@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/backends/cuda/cuda.hpp"
 #include "solver/errors.hpp"
 #include "solver/numerics.hpp"
 
@@ -34,6 +35,7 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   config.boundaries = scene.boundaries;
   config.numerics = scene.numerics;
   config.courant = scene.time.courant.value_or(default_courant(scene.numerics));
+  config.rains = sand_rains(scene);
   config.maxima = scene.output.maxima;
   config.arrival_depth =
       scene.output.arrival_depth > 0.0 ? scene.output.arrival_depth : arrival_fraction * scene.grid.spacing;
@@ -41,7 +43,10 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   return config;
 }
 
-std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, int threads) {
+std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, Device device, int threads) {
+  if (device == Device::cuda) {
+    return make_cuda_backend(backend_config(scene, threads), initial);
+  }
   const double needed = expected_bytes(scene, initial);
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed > present) {
@@ -100,6 +105,7 @@ std::vector<SandRain> sand_rains(const Scene& scene) {
     if (rain.cells.empty()) {
       rain.cells.push_back(nearest);
     }
+    rain.start = source.start, rain.end = source.end;
     rain.rate = source.rate / (static_cast<double>(rain.cells.size()) * grid.spacing * grid.spacing);
     rains.push_back(rain);
   }

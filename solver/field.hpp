@@ -6,6 +6,8 @@
 #include <memory>
 #include <new>
 
+#include "solver/physics/math.hpp"
+
 namespace sandsim {
 
 /// Two layers of cells around the grid: the second-order stencil reaches two cells far.
@@ -18,7 +20,7 @@ struct FieldView {
   R* origin = nullptr;
   std::ptrdiff_t stride = 0;
 
-  R* row(std::ptrdiff_t j) const { return origin + j * stride; }
+  SANDSIM_HD R* row(std::ptrdiff_t j) const { return origin + j * stride; }
 };
 
 /// Owns nx * ny values and their halo; rows start on a cache line.
@@ -46,6 +48,9 @@ class Field {
   const FieldView<R>& view() const { return view_; }
   R* row(std::ptrdiff_t j) const { return view_.row(j); }
   std::size_t bytes() const { return size_ * sizeof(R); }
+  /// All that is allocated, the halo included.
+  const R* data() const { return data_.get(); }
+  std::size_t size() const { return size_; }
 
  private:
   struct Free {

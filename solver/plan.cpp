@@ -19,7 +19,7 @@ std::vector<std::string> stage_names(const Scene& scene) {
 
 Plan plan(const Scene& scene) {
   const InitialState initial = build_initial_state(scene);
-  const auto backend = make_backend(scene, initial, 0);
+  const auto backend = make_backend(scene, initial, Device::cpu, 0);
   const FrameSchedule schedule(scene.time);
   Plan plan;
   plan.stages = stage_names(scene);

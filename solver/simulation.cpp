@@ -12,7 +12,7 @@
 #include "solver/initial_state.hpp"
 #include "solver/reference/compare.hpp"
 #include "solver/snapshot.hpp"
-#include "solver/step_log.hpp"
+#include "solver/stage_timer.hpp"
 
 namespace sandsim {
 namespace {
@@ -28,21 +28,27 @@ double drift_tolerance(Precision precision) {
   return precision == Precision::float32 ? 1e-4 : 1e-11;
 }
 
-/// Adds the time of a scope to a stage.
-class StageTimer {
- public:
-  explicit StageTimer(StageReport& stage, double bytes) : stage_(stage) {
-    stage_.launches += 1;
-    stage_.bytes += bytes;
-  }
-  ~StageTimer() { stage_.seconds += seconds_since(start_); }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
+/// Between two looks at interrupts and limits the steps should take about this long. [s]
+constexpr double look_interval = 0.01;
 
- private:
-  StageReport& stage_;
-  Clock::time_point start_ = Clock::now();
-};
+StepRules step_rules(const Scene& scene, const std::vector<SandRain>& rains) {
+  StepRules rules;
+  const TimeControl& time = scene.time;
+  rules.fixed_step = time.mode == TimeMode::fixed ? time.step : 0.0;
+  rules.subcycle = time.subcycle;
+  rules.minimum_step = time.minimum_step.value_or(1e-9 * time.end);
+  rules.rain_step = HUGE_VAL;
+  rules.rain_end = -HUGE_VAL;
+  for (const SandRain& rain : rains) {
+    // A step may neither pile up more than a tenth of a spacing nor outlast a fall over one spacing: sand on a dry
+    // bed has no wave speed yet that would bound the step.
+    const double dx = scene.grid.spacing;
+    const double fall = scene.gravity > 0.0 ? std::sqrt(dx / scene.gravity) : time.frame_interval;
+    rules.rain_step = std::min({rules.rain_step, 0.1 * dx / rain.rate, fall});
+    rules.rain_end = std::max(rules.rain_end, rain.end);
+  }
+  return rules;
+}
 
 /// One run, from its start or a checkpoint to its end.
 class Run {
@@ -56,12 +62,11 @@ class Run {
   void resume(const Checkpoint& checkpoint);
   Checkpoint checkpoint() const;
   Next advance_to(double due);
-  double choose_step(double due, double bound, bool& limited);
-  bool step_is_sound(double bound);
-  void step(double dt, double bound, bool limited);
-  void rain(double dt);
-  bool rains_from(double time) const;
-  void frame();
+  void steps();
+  void locate_smallest_step();
+  void report_halt();
+  void begin_frame();
+  void deliver_frame();
   Next look_up();
   void save_checkpoint();
   void fail(Incident incident, const std::string& problem, const std::string& suggestion = "");
@@ -76,17 +81,16 @@ class Run {
   InitialState initial_;
   FrameSchedule schedule_;
   std::unique_ptr<Backend> backend_;
-  std::vector<SandRain> rains_;
   Snapshots snapshots_;
   RunReport report_;
-  StageReport *steps_ = nullptr, *sources_ = nullptr, *maxima_ = nullptr, *frames_ = nullptr;  // in report_
-  double time_ = 0.0;
-  double target_ = 0.0;  // [s] where the steps land next
+  LoopStages stages_;              // in report_
+  StageReport* frames_ = nullptr;  // likewise
+  StepRules rules_;
+  StepLoop loop_;
+  std::optional<FrameStatistics> pending_;  // of the frame that is being captured
+  std::int64_t steps_a_look_ = 1;
   double wall_before_ = 0.0;
   double last_checkpoint_ = 0.0;
-  StepLog steps_log_;
-  double rain_step_ = std::numeric_limits<double>::infinity();
-  double last_motion_ = 0.0;
 };
 
 Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
@@ -95,9 +99,9 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
       sink_(sink),
       initial_(build_initial_state(scene)),
       schedule_(scene.time),
-      backend_(make_backend(scene, initial_, options.threads)),
-      rains_(sand_rains(scene)),
-      snapshots_(scene, initial_) {
+      backend_(make_backend(scene, initial_, options.device, options.threads)),
+      snapshots_(scene, initial_),
+      rules_(step_rules(scene, sand_rains(scene))) {
   const Numerics& numerics = scene.numerics;
   report_.device = backend_->device();
   report_.threads = backend_->threads();
@@ -109,15 +113,9 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
   for (const std::string& name : stage_names(scene)) {
     report_.stages.push_back({name, 0.0, 0, 0.0});
   }
-  steps_ = stage("step"), sources_ = stage("sources"), maxima_ = stage("maxima"), frames_ = stage("frames");
+  stages_ = {stage("step"), stage("sources"), stage("maxima")};
+  frames_ = stage("frames");
   report_.ledger.initial = report_.ledger.final = backend_->statistics().volume;
-  for (const SandRain& rain : rains_) {
-    // A step may neither pile up more than a tenth of a spacing nor outlast a fall over one spacing: sand on a dry
-    // bed has no wave speed yet that would bound the step.
-    const double dx = scene.grid.spacing;
-    rain_step_ = std::min(
-        {rain_step_, 0.1 * dx / rain.rate, scene.gravity > 0.0 ? std::sqrt(dx / scene.gravity) : schedule_.interval});
-  }
 }
 
 /// Null if the scene has no such stage.
@@ -132,24 +130,45 @@ void Run::resume(const Checkpoint& from) {
   if (scene_.output.maxima) {
     backend_->set_maxima({from.max_depth, from.max_speed, from.arrival_time});
   }
-  report_.steps = from.steps;
   report_.frames = from.frames;
   report_.ledger = from.ledger;
-  steps_log_ = StepLog(from);
-  time_ = from.time;
-  last_motion_ = from.stop_time;
+  loop_.steps = from.steps;
+  loop_.time = from.time;
+  loop_.last_motion = from.stop_time;
+  loop_.volume_in = from.ledger.in, loop_.volume_out = from.ledger.out;
+  StepExtremes& extremes = loop_.extremes;
+  extremes.min = from.dt_min, extremes.max = from.dt_max;
+  extremes.frame_min = from.frame_step_min, extremes.frame_max = from.frame_step_max;
+  extremes.any_limited = from.smallest_step.i >= 0;
+  extremes.smallest_i = from.smallest_step.i, extremes.smallest_j = from.smallest_step.j;
+  extremes.smallest_time = from.smallest_step.time, extremes.smallest_step = from.smallest_step.step;
   wall_before_ = from.wall_time;
+}
+
+/// The smallest step and its cell, if any was taken.
+std::optional<Incident> smallest_step(const StepExtremes& extremes) {
+  if (extremes.smallest_step == 0.0) {
+    return std::nullopt;
+  }
+  Incident incident;
+  incident.i = extremes.smallest_i, incident.j = extremes.smallest_j;
+  incident.time = extremes.smallest_time, incident.step = extremes.smallest_step;
+  incident.cause = extremes.any_limited ? "stability bound" : "cut to land on a frame";
+  return incident;
 }
 
 Checkpoint Run::checkpoint() const {
   Checkpoint to;
-  to.steps = report_.steps;
+  to.steps = loop_.steps;
   to.frames = report_.frames;
-  to.time = time_;
+  to.time = loop_.time;
   to.wall_time = wall();
   to.ledger = report_.ledger;
-  steps_log_.save(to);
-  to.stop_time = last_motion_;
+  to.ledger.in = loop_.volume_in, to.ledger.out = loop_.volume_out;
+  to.dt_min = loop_.extremes.min, to.dt_max = loop_.extremes.max;
+  to.frame_step_min = loop_.extremes.frame_min, to.frame_step_max = loop_.extremes.frame_max;
+  to.smallest_step = smallest_step(loop_.extremes).value_or(Incident{});
+  to.stop_time = loop_.last_motion;
   StateArrays state = backend_->state();
   to.depth = std::move(state.depth);
   to.momentum_x = std::move(state.momentum_x), to.momentum_y = std::move(state.momentum_y);
@@ -174,7 +193,7 @@ RunReport Run::go() {
     if (scene_.output.maxima) {
       backend_->update_maxima(0.0);
     }
-    frame();
+    begin_frame();
   }
   report_.first_step_time = seconds_since(start_);
   report_.status = "done";
@@ -183,11 +202,11 @@ RunReport Run::go() {
     if (report_.failure || next == Next::stop) {
       break;
     }
-    frame();
+    begin_frame();
     if (report_.failure) {
       break;
     }
-    if (report_.at_rest && scene_.time.stop_at_rest) {
+    if (loop_.at_rest && scene_.time.stop_at_rest) {
       report_.status = "at rest";
       break;
     }
@@ -198,146 +217,125 @@ RunReport Run::go() {
 
 /// Steps until `due`, or until nothing moves any more: then the time jumps there, since no step would change a thing.
 Run::Next Run::advance_to(double due) {
-  while (time_ < due) {
-    if (report_.at_rest) {
+  rules_.due = due;
+  loop_.halt = Halt::none;
+  loop_.plan(rules_, backend_->stable_step());
+  locate_smallest_step();
+  while (true) {
+    if (loop_.halt == Halt::due) {
+      return Next::go_on;
+    }
+    if (loop_.halt == Halt::at_rest) {
       if (!scene_.time.stop_at_rest) {
-        time_ = due;
+        loop_.time = due;
       }
       return Next::go_on;
     }
-    const double bound = std::min(backend_->stable_step(), rains_from(time_) ? rain_step_ : HUGE_VAL);
-    if (!step_is_sound(bound)) {
-      return Next::stop;
+    if (loop_.halt == Halt::none) {
+      steps();
     }
-    bool limited = false;
-    const double dt = choose_step(due, bound, limited);
-    step(dt, bound, limited);
+    locate_smallest_step();
+    report_halt();
     if (report_.failure || look_up() == Next::stop) {
       return Next::stop;
     }
   }
-  return Next::go_on;
 }
 
-/// The next step's length. `target_` is where the steps have to land next: on the frame, or at the end of the running
-/// fixed step.
-double Run::choose_step(double due, double bound, bool& limited) {
-  target_ = due;
-  const double whole = scene_.time.step;
-  if (scene_.time.mode == TimeMode::fixed) {
-    const double end = (std::floor(time_ / whole + 1e-6) + 1.0) * whole;
-    target_ = end > due - 1e-6 * whole ? due : end;
+/// As many steps as fit between two looks at interrupts and limits.
+void Run::steps() {
+  const std::int64_t before = loop_.steps;
+  const Clock::time_point start = Clock::now();
+  backend_->advance(loop_, rules_, steps_a_look_, stages_, [this] { deliver_frame(); });
+  const double seconds = seconds_since(start);
+  if (seconds > 2.0 * look_interval) {
+    steps_a_look_ = std::max<std::int64_t>(1, steps_a_look_ / 2);
+  } else if (seconds < 0.5 * look_interval && loop_.steps - before == steps_a_look_) {
+    steps_a_look_ *= 2;
   }
-  const double remaining = target_ - time_;
-  const bool fits = scene_.time.mode == TimeMode::fixed && std::fabs(remaining - whole) < 1e-6 * whole;
-  const double dt = fits ? whole : remaining;  // the same bits in every fixed step
-  limited = bound * (1.0 + 1e-6) < dt;
-  if (!limited) {
-    return dt;
-  }
-  // The last steps before the target are made even, so that none is tiny.
-  return 2.0 * bound > dt ? 0.5 * dt : bound;
 }
 
-/// A fixed step must keep to the bound unless it may be divided; an adaptive one must not collapse.
-bool Run::step_is_sound(double bound) {
-  const bool fixed = scene_.time.mode == TimeMode::fixed;
-  const double shortest = scene_.time.minimum_step.value_or(1e-9 * scene_.time.end);
-  const bool too_long = fixed && !scene_.time.subcycle && scene_.time.step > bound * (1.0 + 1e-6);
-  const bool collapsed = bound < shortest;
-  if (!too_long && !collapsed) {
-    return true;
-  }
-  const SpeedLimit limit = backend_->speed_limit();
-  Incident incident;
-  incident.i = limit.i, incident.j = limit.j, incident.time = time_, incident.step = bound;
-  if (too_long) {
-    incident.cause = "the fixed step breaks the stability bound";
-    fail(incident,
-         "time.step = " + std::to_string(scene_.time.step) + " s is longer than the stability bound of " +
-             std::to_string(bound) + " s",
-         "Shorten time.step, or set time.subcycle: true?");
-  } else {
-    incident.cause = "the time step collapsed";
-    fail(incident, "the stable step of " + std::to_string(bound) + " s is below time.minimum_step");
-  }
-  return false;
-}
-
-void Run::step(double dt, double bound, bool limited) {
-  steps_log_.note(dt, time_, limited, *backend_);  // before the step: the cell that limits it is still the one
-  StepOutcome outcome;
-  {
-    StageTimer timer(*steps_, backend_->bytes_per_step());
-    outcome = backend_->step(dt);
-  }
-  report_.ledger.out += outcome.volume_out;
-  rain(dt);
-  time_ = limited ? time_ + dt : target_;
-  report_.steps += 1;
-  if (scene_.output.maxima) {
-    StageTimer timer(*maxima_, 1.5 * backend_->bytes_per_step());
-    backend_->update_maxima(time_);
-  }
-  if (outcome.broken) {
-    Incident incident = backend_->find_broken();
-    incident.time = time_, incident.step = dt;
-    fail(incident, "numerical failure: " + incident.cause);
+/// Where the planned step is the smallest so far: which cell bounds it?
+void Run::locate_smallest_step() {
+  if (loop_.halt != Halt::smallest_step) {
     return;
   }
-  if (outcome.moving || outcome.changed) {
-    last_motion_ = time_;
-  } else if (!rains_from(time_) && (scene_.time.mode == TimeMode::fixed || dt >= 0.49 * std::min(bound, 1e30))) {
-    // The same step again gives the same state. A step cut short could hide a change below rounding: those don't count.
-    report_.at_rest = true;
-  }
+  const SpeedLimit limit = backend_->speed_limit();
+  loop_.extremes.smallest_i = limit.i, loop_.extremes.smallest_j = limit.j;
+  loop_.halt = Halt::none;
 }
 
-void Run::rain(double dt) {
-  for (std::size_t k = 0; k < rains_.size(); ++k) {
-    const SandSource& source = scene_.sand.sources[k];
-    const double open = std::min(time_ + dt, source.end) - std::max(time_, source.start);
-    if (open > 0.0) {
-      StageTimer timer(*sources_, 0.0);
-      report_.ledger.in += backend_->rain(rains_[k], open);
+/// A halt that is a failure.
+void Run::report_halt() {
+  Incident incident;
+  incident.time = loop_.time, incident.step = loop_.bound;
+  if (loop_.halt == Halt::broken) {
+    incident = backend_->find_broken();
+    incident.time = loop_.time, incident.step = loop_.step;
+    fail(incident, "numerical failure: " + incident.cause);
+  } else if (loop_.halt == Halt::step_too_long || loop_.halt == Halt::step_collapsed) {
+    const SpeedLimit limit = backend_->speed_limit();
+    incident.i = limit.i, incident.j = limit.j;
+    if (loop_.halt == Halt::step_too_long) {
+      incident.cause = "the fixed step breaks the stability bound";
+      fail(incident,
+           "time.step = " + std::to_string(scene_.time.step) + " s is longer than the stability bound of " +
+               std::to_string(loop_.bound) + " s",
+           "Shorten time.step, or set time.subcycle: true?");
+    } else {
+      incident.cause = "the time step collapsed";
+      fail(incident, "the stable step of " + std::to_string(loop_.bound) + " s is below time.minimum_step");
     }
   }
 }
 
-/// Whether some source is open at or after `time`.
-bool Run::rains_from(double time) const {
-  return std::any_of(scene_.sand.sources.begin(), scene_.sand.sources.end(),
-                     [&](const SandSource& source) { return source.end > time; });
+void Run::begin_frame() {
+  deliver_frame();
+  StageTimer timer(*frames_, snapshots_.field_bytes());
+  backend_->begin_capture(snapshots_.request());
+  StepExtremes& extremes = loop_.extremes;
+  pending_ = FrameStatistics{};
+  pending_->time = loop_.time, pending_->steps = loop_.steps, pending_->wall_time = wall();
+  pending_->time_step_min = extremes.frame_min, pending_->time_step_max = extremes.frame_max;
+  extremes.frame_min = extremes.frame_max = 0.0;
+  report_.ledger.in = loop_.volume_in, report_.ledger.out = loop_.volume_out;
+  report_.frames += 1;
 }
 
-void Run::frame() {
-  StageTimer timer(*frames_, snapshots_.field_bytes());
-  const GridStatistics sums = backend_->statistics();
+/// Hands the captured frame out, if there is one.
+void Run::deliver_frame() {
+  if (!pending_) {
+    return;
+  }
+  StageTimer timer(*frames_, 0.0, 0);  // begin_frame() counted it
+  Capture capture = backend_->end_capture();
+  FrameStatistics numbers = *pending_;
+  pending_.reset();
+  const GridStatistics& sums = capture.statistics;
+  numbers.volume = sums.volume, numbers.kinetic_energy = sums.kinetic_energy;
+  numbers.max_speed = sums.max_speed, numbers.moving_cells = sums.moving_cells;
   report_.ledger.final = sums.volume;
   if (std::fabs(report_.ledger.error()) > drift_tolerance(scene_.numerics.precision)) {
     Incident incident;
-    incident.time = time_;
+    incident.time = numbers.time;
     incident.cause = "volume drift";
     fail(incident, "the volume has drifted by " + std::to_string(report_.ledger.error()) + " of what was brought in");
   }
-  sink_.frame(snapshots_.take(*backend_, report_.frames,
-                              {time_, sums.volume, sums.kinetic_energy, sums.max_speed, steps_log_.frame_min(),
-                               steps_log_.frame_max(), report_.steps, wall(), sums.moving_cells}));
-  report_.frames += 1;
-  steps_log_.start_frame();
+  sink_.frame(snapshots_.frame(std::move(capture), report_.frames - 1, numbers));
 }
 
 /// Between steps: progress, interrupts, limits, checkpoints.
 Run::Next Run::look_up() {
-  if (report_.at_rest) {
+  if (loop_.at_rest) {
     return Next::go_on;  // nothing is left to interrupt
   }
   const double now = seconds_since(start_);
   if (options_.progress) {
-    const double solving = steps_->seconds;
-    options_.progress(
-        {time_, scene_.time.end, steps_log_.max(), report_.steps,
-         solving > 0.0 ? static_cast<double>(report_.cells) * static_cast<double>(steps_->launches) / solving : 0.0});
+    const double solving = stages_.step->seconds;
+    options_.progress({loop_.time, scene_.time.end, loop_.extremes.max, loop_.steps,
+                       solving > 0.0
+                           ? static_cast<double>(report_.cells) * static_cast<double>(stages_.step->launches) / solving
+                           : 0.0});
   }
   if (options_.interrupt != nullptr && options_.interrupt->load(std::memory_order_relaxed)) {
     report_.status = "interrupted";
@@ -351,12 +349,13 @@ Run::Next Run::look_up() {
     }
     return Next::go_on;
   }
-  report_.message = report_.status + " at t = " + std::to_string(time_) + " s";
+  report_.message = report_.status + " at t = " + std::to_string(loop_.time) + " s";
   save_checkpoint();
   return Next::stop;
 }
 
 void Run::save_checkpoint() {
+  deliver_frame();  // a checkpoint counts it
   if (options_.checkpoint) {
     options_.checkpoint(checkpoint());
   }
@@ -377,10 +376,15 @@ void Run::fail(Incident incident, const std::string& problem, const std::string&
 }
 
 void Run::finish() {
-  report_.simulated_time = time_;
-  steps_log_.report(report_);
+  deliver_frame();
+  report_.steps = loop_.steps;
+  report_.at_rest = loop_.at_rest;
+  report_.simulated_time = loop_.time;
+  report_.ledger.in = loop_.volume_in, report_.ledger.out = loop_.volume_out;
+  report_.dt_min = loop_.extremes.min, report_.dt_max = loop_.extremes.max;
+  report_.smallest_step = smallest_step(loop_.extremes);
   report_.ledger.final = backend_->statistics().volume;
-  report_.stop_time = report_.at_rest ? last_motion_ : 0.0;
+  report_.stop_time = report_.at_rest ? loop_.last_motion : 0.0;
   report_.max_slope_violation = backend_->slope_violation();
   double solving = 0.0;
   for (const StageReport& each : report_.stages) {
@@ -388,11 +392,11 @@ void Run::finish() {
   }
   if (solving > 0.0) {
     report_.cell_steps_per_second =
-        static_cast<double>(report_.cells) * static_cast<double>(steps_->launches) / solving;
+        static_cast<double>(report_.cells) * static_cast<double>(stages_.step->launches) / solving;
   }
   if (!report_.failure) {
     if (scene_.reference) {
-      report_.errors = compare(scene_, initial_, time_, as_double(backend_->field("depth")));
+      report_.errors = compare(scene_, initial_, loop_.time, as_double(backend_->field("depth")));
     }
     if (report_.exit_code == ExitCode::done) {
       sink_.end(scene_.output.maxima ? backend_->maxima() : FinalFields{});

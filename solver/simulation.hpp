@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/device.hpp"
 #include "solver/report.hpp"
 #include "solver/scene.hpp"
 #include "solver/sink.hpp"
@@ -41,6 +42,7 @@ struct Progress {
 };
 
 struct RunOptions {
+  Device device = Device::cpu;                        // cpu or cuda: choose_device() settles `automatic`
   int threads = 0;                                    // 0: all
   const std::atomic<bool>* interrupt = nullptr;       // set by a signal handler: end after the current step
   double max_wall = 0.0;                              // [s] 0: no limit

@@ -20,8 +20,10 @@ class Snapshots {
  public:
   Snapshots(const Scene& scene, const InitialState& initial);
 
+  /// What a frame needs of a state.
+  CaptureRequest request() const;
   /// A frame with its fields, probes, fronts and references; `statistics` as they are.
-  Frame take(const Backend& backend, std::int64_t index, const FrameStatistics& statistics) const;
+  Frame frame(Capture capture, std::int64_t index, const FrameStatistics& statistics) const;
   /// Bytes of the fields of one frame.
   double field_bytes() const;
 
@@ -29,6 +31,7 @@ class Snapshots {
   const Scene& scene_;
   const InitialState& initial_;
   std::vector<std::string> fields_;
+  bool needs_depth_ = false;  // for the fronts, besides the fields
   std::vector<std::int64_t> probes_;
 };
 

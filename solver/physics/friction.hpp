@@ -25,7 +25,7 @@ SANDSIM_HD Slowed<R> slow_down_turning(R x, R y, R x_old, R y_old, R grip) {
   const R size = length(x, y);
   const auto slides = size > grip;
   if (!any(slides)) {
-    return {R(0), R(0)};
+    return {x * R(0), y * R(0)};  // with the signs that the zeros have below
   }
   const R mean_x = x_old + x, mean_y = y_old + y;
   const R share = grip / length(mean_x, mean_y);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #if defined(__CUDACC__)
@@ -28,6 +29,11 @@ struct ScalarOf<R> {
 };
 template <class R>
 using Scalar = typename ScalarOf<R>::type;
+
+template <class R>
+inline constexpr R largest_number = std::numeric_limits<R>::max();
+template <class R>
+inline constexpr R infinity = std::numeric_limits<R>::infinity();
 
 /// The result of a comparison: bool, or one a lane.
 template <class R>

@@ -118,7 +118,7 @@ TEST_CASE("A resumed run gives the bits of an uninterrupted one") {
     std::optional<Checkpoint> kept;
     RunOptions options;
     options.interrupt = &interrupt;
-    options.progress = [&](const Progress& progress) { interrupt = progress.steps == 57; };
+    options.progress = [&](const Progress& progress) { interrupt = progress.steps >= 57; };
     options.checkpoint = [&](const Checkpoint& checkpoint) { kept = checkpoint; };
     const RunReport stopped = run(scene, options, first);
     CHECK(stopped.status == "interrupted");

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "solver/backend.hpp"
-#include "solver/backends/cpu/diagnostics.hpp"
-#include "solver/backends/cpu/halo.hpp"
 #include "solver/backends/cpu/rows.hpp"
+#include "solver/backends/diagnostics.hpp"
+#include "solver/backends/halo.hpp"
 
 namespace sandsim::cpu {
 
@@ -40,6 +40,13 @@ class CpuBackend final : public Backend {
   SpeedLimit speed_limit() const override;
   double slope_violation() const override { return largest_slope_violation(diagnosed()); }
 
+  void advance(StepLoop& loop, const StepRules& rules, std::int64_t most, const LoopStages& stages,
+               const std::function<void()>& meanwhile) override {
+    meanwhile();
+    advance_step_by_step(*this, config_, loop, rules, most, stages);
+  }
+  void begin_capture(const CaptureRequest& request) override;
+  Capture end_capture() override { return std::move(capture_); }
   StepOutcome step(double dt) override;
   double rain(const SandRain& rain, double dt) override;
 
@@ -59,7 +66,6 @@ class CpuBackend final : public Backend {
   static constexpr bool speed_needs_neighbours = Rows::speed_needs_neighbours && !Rows::one_d;
 
   void take_material(const InitialState& initial);
-  Field<R> map_of(const std::vector<double>& values, bool is_bed) const;
   StepFields<R> fields() const;
   physics::StepParameters<R> parameters(R dt) const;
   R stable_step_of(R fastest) const {
@@ -96,6 +102,7 @@ class CpuBackend final : public Backend {
   std::array<std::vector<double>, 4> side_mass_;  // x_min, x_max, y_min, y_max; empty where the side is closed
   SideFlow flow_;
   Maxima<R> maxima_;
+  Capture capture_;
 };
 
 template <class Rows, class Make>
@@ -140,36 +147,16 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
 template <class Rows, class Make>
 void CpuBackend<Rows, Make>::take_material(const InitialState& initial) {
   if constexpr (!Rows::flat) {
-    bed_ = initial.bed.empty() ? Field<R>(nx(), ny(), R(0), true) : map_of(initial.bed, true);
+    bed_ = stored_bed<R>(initial.bed, halo_);
   }
   if constexpr (Rows::uniform) {
     material_ = {static_cast<R>(initial.friction_coefficient.front()), static_cast<R>(initial.hbar_scale.front()),
                  static_cast<R>(initial.hbar_cap.front())};
   } else {
-    mu_ = map_of(initial.friction_coefficient, false);
-    alpha_ = map_of(initial.hbar_scale, false);
-    cap_ = map_of(initial.hbar_cap, false);
+    mu_ = stored_map<R>(initial.friction_coefficient, halo_);
+    alpha_ = stored_map<R>(initial.hbar_scale, halo_);
+    cap_ = stored_map<R>(initial.hbar_cap, halo_);
   }
-}
-
-template <class Rows, class Make>
-auto CpuBackend<Rows, Make>::map_of(const std::vector<double>& values, bool is_bed) const -> Field<R> {
-  if (values.size() == 1) {
-    return Field<R>(nx(), ny(), static_cast<R>(values.front()), true);
-  }
-  Field<R> field(nx(), ny(), R(0));
-  for (int j = 0; j < ny(); ++j) {
-    for (int i = 0; i < nx(); ++i) {
-      field.row(j)[i] = static_cast<R>(
-          values[static_cast<std::size_t>(j) * static_cast<std::size_t>(nx()) + static_cast<std::size_t>(i)]);
-    }
-  }
-  if (is_bed) {
-    halo_.fill_bed(field.view());
-  } else {
-    halo_.fill_map(field.view());
-  }
-  return field;
 }
 
 template <class Rows, class Make>
@@ -339,12 +326,8 @@ StepOutcome CpuBackend<Rows, Make>::step(double dt) {
 template <class Rows, class Make>
 double CpuBackend<Rows, Make>::outflow(double dt) const {
   double mass = 0.0;
-  for (std::size_t side = 0; side < 4; ++side) {
-    double sum = 0.0;
-    for (const double flux : side_mass_[side]) {
-      sum += flux;
-    }
-    mass += sum;
+  for (const std::vector<double>& side : side_mass_) {
+    mass += sum_in_lanes<double>(side.size(), [&](double& lane, std::size_t k) { lane += side[k]; });
   }
   return mass * static_cast<double>(static_cast<R>(dt)) * config_.grid.spacing;
 }
@@ -352,23 +335,35 @@ double CpuBackend<Rows, Make>::outflow(double dt) const {
 template <class Rows, class Make>
 double CpuBackend<Rows, Make>::rain(const SandRain& rain, double dt) {
   const R growth = static_cast<R>(rain.rate * dt);
-  double gained = 0.0;
   int j_first = ny(), j_last = -1;
-  for (const std::int64_t cell : rain.cells) {
-    const int j = static_cast<int>(cell / nx()), i = static_cast<int>(cell % nx());
+  const double gained = sum_in_lanes<double>(rain.cells.size(), [&](double& lane, std::size_t k) {
+    const int j = static_cast<int>(rain.cells[k] / nx()), i = static_cast<int>(rain.cells[k] % nx());
     R& h = h_[current_].row(j)[i];
     const R before = h;
     h = h + growth;
-    gained += static_cast<double>(h) - static_cast<double>(before);
+    lane += static_cast<double>(h) - static_cast<double>(before);
     j_first = std::min(j_first, j), j_last = std::max(j_last, j);
-  }
+  });
   for (int j = j_first; j <= j_last; ++j) {
     halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
   }
   fill_ghost_rows(current_);
   const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
-  fastest_ = std::max(fastest_, rows_speed(rows, current_, std::max(0, j_first - 1), std::min(ny(), j_last + 2)));
+  const auto take_speeds = [&](int j0, int j1) { fastest_ = std::max(fastest_, rows_speed(rows, current_, j0, j1)); };
+  take_speeds(std::max(0, j_first - 1), std::min(ny(), j_last + 2));
+  if (config_.boundaries.y_min == BoundaryKind::periodic && (j_first == 0 || j_last == ny() - 1)) {
+    take_speeds(0, 1);  // neighbours across the periodic sides
+    take_speeds(ny() - 1, ny());
+  }
   return gained * config_.grid.spacing * config_.grid.spacing;
+}
+
+template <class Rows, class Make>
+void CpuBackend<Rows, Make>::begin_capture(const CaptureRequest& request) {
+  capture_ = {{}, sample(request.cells), statistics()};
+  for (const std::string& name : request.fields) {
+    capture_.fields.push_back(field(name));
+  }
 }
 
 template <class Rows, class Make>

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "solver/backend.hpp"
+#include "solver/backends/choose_instance.hpp"
 #include "solver/backends/cpu/balanced_rows.hpp"
 #include "solver/backends/cpu/cpu_backend.hpp"
 #include "solver/backends/cpu/paper_rows.hpp"
@@ -18,31 +19,16 @@ std::unique_ptr<Backend> make_balanced(const BackendConfig& config, const Initia
 template <class R>
 std::unique_ptr<Backend> make_paper(const BackendConfig& config, const InitialState& initial);
 
-/// Calls make(flat, uniform, one_d) with the compile-time constants that fit the scene: terrain and material are
-/// flat and uniform together, or uniform, or neither; a single row has the first and the last.
-template <class Make>
-std::unique_ptr<Backend> choose_instance(const BackendConfig& config, const InitialState& initial, Make make) {
-  constexpr auto yes = std::true_type{};
-  constexpr auto no = std::false_type{};
-  const bool flat = initial.bed.empty();
-  const bool uniform =
-      initial.friction_coefficient.size() == 1 && initial.hbar_scale.size() == 1 && initial.hbar_cap.size() == 1;
-  if (config.grid.one_dimensional()) {
-    return flat && uniform ? make(yes, yes, yes) : make(no, no, yes);
-  }
-  if (!uniform) {
-    return make(no, no, no);
-  }
-  return flat ? make(yes, yes, no) : make(no, yes, no);
-}
-
 template <class R, int Order>
 std::unique_ptr<Backend> make_balanced(const BackendConfig& config, const InitialState& initial) {
-  return choose_instance(config, initial, [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
-    using Rows = BalancedRows<R, Order, flat.value, uniform.value, one_d.value>;
-    const auto make = [](const StepFields<R>& fields, const physics::StepParameters<R>& p) { return Rows(fields, p); };
-    return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
-  });
+  return choose_instance(variant_of(config, initial),
+                         [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
+                           using Rows = BalancedRows<R, Order, flat.value, uniform.value, one_d.value>;
+                           const auto make = [](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
+                             return Rows(fields, p);
+                           };
+                           return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
+                         });
 }
 
 template <class R>
@@ -51,14 +37,15 @@ std::unique_ptr<Backend> make_paper(const BackendConfig& config, const InitialSt
   const bool gate = config.numerics.rest_gate;
   const bool desingularised = config.numerics.velocity == VelocityForm::desingularised;
   const R courant = static_cast<R>(config.courant);
-  return choose_instance(config, initial, [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
-    using Rows = PaperRows<R, flat.value, uniform.value, one_d.value>;
-    const auto make = [=](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
-      const physics::PaperSwitches<Pack<R>> switches{factor, physics::Mask<Pack<R>>(gate)};
-      return Rows(fields, p, switches, desingularised, courant);
-    };
-    return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
-  });
+  return choose_instance(variant_of(config, initial),
+                         [&](auto flat, auto uniform, auto one_d) -> std::unique_ptr<Backend> {
+                           using Rows = PaperRows<R, flat.value, uniform.value, one_d.value>;
+                           const auto make = [=](const StepFields<R>& fields, const physics::StepParameters<R>& p) {
+                             const physics::PaperSwitches<Pack<R>> switches{factor, physics::Mask<Pack<R>>(gate)};
+                             return Rows(fields, p, switches, desingularised, courant);
+                           };
+                           return std::make_unique<CpuBackend<Rows, decltype(make)>>(config, initial, make);
+                         });
 }
 
 }  // namespace sandsim::cpu

@@ -1,40 +1,13 @@
-// The two layers of cells around the grid. Wall: mirrored, the normal momentum with its sign changed. Open: the edge
-// cell repeated if it flows out and mirrored if it flows in, so that sand leaves and none enters. Periodic: the other
-// side.
+// The two layers of ghost cells around the grid, as stored beside it.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
+#include "solver/backends/ghost.hpp"
 #include "solver/field.hpp"
-#include "solver/scene.hpp"
 
-namespace sandsim::cpu {
-
-/// Index of the cell whose value a ghost cell at distance `k` (1, 2) from a side takes, on a line of n cells.
-inline int ghost_source(BoundaryKind kind, bool high, int k, int n) {
-  int from_edge = 0;  // open: the edge cell itself
-  if (kind == BoundaryKind::wall) {
-    from_edge = std::min(k - 1, n - 1);
-  } else if (kind == BoundaryKind::periodic) {
-    from_edge = n - 1 - (k - 1) % n;
-  }
-  return high ? n - 1 - from_edge : from_edge;
-}
-
-/// Momentum across the side as the ghost cell has it.
-template <class R>
-R ghost_momentum(BoundaryKind kind, bool high, R value) {
-  switch (kind) {
-    case BoundaryKind::wall:
-      return -value;
-    case BoundaryKind::open:
-      return high ? std::fabs(value) : -std::fabs(value);
-    case BoundaryKind::periodic:
-      break;
-  }
-  return value;
-}
+namespace sandsim {
 
 /// The grid's size and sides; fills halos.
 struct Halo {
@@ -120,4 +93,32 @@ struct Halo {
   }
 };
 
-}  // namespace sandsim::cpu
+/// A map of the grid (x fastest) with its halo; a single value as one repeated row.
+template <class R>
+Field<R> stored_map(const std::vector<double>& values, const Halo& sides) {
+  if (values.size() == 1) {
+    return Field<R>(sides.nx, sides.ny, static_cast<R>(values.front()), true);
+  }
+  Field<R> field(sides.nx, sides.ny, R(0));
+  auto value = values.begin();
+  for (int j = 0; j < sides.ny; ++j) {
+    std::transform(value, value + sides.nx, field.row(j), [](double v) { return static_cast<R>(v); });
+    value += sides.nx;
+  }
+  sides.fill_map(field.view());
+  return field;
+}
+/// The same for the bed, which may be empty: flat.
+template <class R>
+Field<R> stored_bed(const std::vector<double>& values, const Halo& sides) {
+  if (values.empty()) {
+    return Field<R>(sides.nx, sides.ny, R(0), true);
+  }
+  Field<R> field = stored_map<R>(values, sides);
+  if (values.size() > 1) {
+    sides.fill_bed(field.view());
+  }
+  return field;
+}
+
+}  // namespace sandsim

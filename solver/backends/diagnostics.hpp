@@ -5,17 +5,17 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "solver/backend.hpp"
+#include "solver/backends/cell_values.hpp"
+#include "solver/backends/sums.hpp"
 #include "solver/field.hpp"
 #include "solver/physics/surface.hpp"
-#include "solver/physics/velocity.hpp"
 
-namespace sandsim::cpu {
+namespace sandsim {
 
 /// A state and what surrounds it.
 template <class R>
@@ -45,30 +45,16 @@ std::vector<R> gather(const Diagnosed<R>& d, Value value) {
   return out;
 }
 
+/// Throws std::invalid_argument.
+CellField cell_field(const std::string& name);
+
 template <class R>
 FieldValues named_field(const Diagnosed<R>& d, const std::string& name) {
-  if (name == "depth") {
-    return gather(d, [&](int i, int j) { return d.h.row(j)[i]; });
-  }
-  if (name == "momentum_x") {
-    return gather(d, [&](int i, int j) { return d.hu.row(j)[i]; });
-  }
-  if (name == "momentum_y") {
-    return gather(d, [&](int i, int j) { return d.hv.row(j)[i]; });
-  }
-  if (name == "velocity_x") {
-    return gather(d, [&](int i, int j) { return d.velocity(d.hu.row(j)[i], d.h.row(j)[i]); });
-  }
-  if (name == "velocity_y") {
-    return gather(d, [&](int i, int j) { return d.velocity(d.hv.row(j)[i], d.h.row(j)[i]); });
-  }
-  if (name == "surface") {
-    return gather(d, [&](int i, int j) { return d.h.row(j)[i] + d.b(i, j); });
-  }
-  if (name == "bed") {
-    return gather(d, [&](int i, int j) { return d.b(i, j); });
-  }
-  throw std::invalid_argument("no field is called '" + name + "'");
+  const CellField field = cell_field(name);
+  const R dry = d.parameters.dry_depth;
+  return gather(d, [&](int i, int j) {
+    return cell_value(field, d.h.row(j)[i], d.hu.row(j)[i], d.hv.row(j)[i], d.b(i, j), dry);
+  });
 }
 
 template <class R>
@@ -78,33 +64,23 @@ ProbeSample probe(const Diagnosed<R>& d, int i, int j) {
           static_cast<double>(d.velocity(d.hv.row(j)[i], h))};
 }
 
-/// Rows are summed side by side and then in order, so that the result does not depend on the threads.
+inline GridStatistics grid_statistics(const CellSums& sums, double spacing) {
+  const double area = spacing * spacing;
+  return {sums.depth * area, sums.energy * area, sums.max_speed, sums.moving_cells};
+}
+
+/// Rows are summed side by side, and then the rows.
 template <class R>
 GridStatistics grid_statistics(const Diagnosed<R>& d, int threads) {
-  std::vector<GridStatistics> rows(static_cast<std::size_t>(d.ny));
+  std::vector<CellSums> rows(static_cast<std::size_t>(d.ny));
 #pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
   for (int j = 0; j < d.ny; ++j) {
-    GridStatistics& row = rows[static_cast<std::size_t>(j)];
-    for (int i = 0; i < d.nx; ++i) {
-      const double h = static_cast<double>(d.h.row(j)[i]);
-      const double hu = static_cast<double>(d.hu.row(j)[i]), hv = static_cast<double>(d.hv.row(j)[i]);
-      row.volume += h;
-      if (hu != 0.0 || hv != 0.0) {
-        row.moving_cells += 1;
-        row.kinetic_energy += (hu * hu + hv * hv) / (2.0 * h);
-        row.max_speed = std::max(row.max_speed, std::sqrt(hu * hu + hv * hv) / h);
-      }
-    }
+    const R *h = d.h.row(j), *hu = d.hu.row(j), *hv = d.hv.row(j);
+    rows[static_cast<std::size_t>(j)] = sum_in_lanes<CellSums>(
+        static_cast<std::size_t>(d.nx), [&](CellSums& lane, std::size_t i) { lane.add_cell(h[i], hu[i], hv[i]); });
   }
-  GridStatistics sum;
-  const double area = d.spacing * d.spacing;
-  for (const GridStatistics& row : rows) {
-    sum.volume += row.volume * area;
-    sum.kinetic_energy += row.kinetic_energy * area;
-    sum.max_speed = std::max(sum.max_speed, row.max_speed);
-    sum.moving_cells += row.moving_cells;
-  }
-  return sum;
+  return grid_statistics(sum_in_lanes<CellSums>(rows.size(), [&](CellSums& lane, std::size_t j) { lane += rows[j]; }),
+                         d.spacing);
 }
 
 template <class R>
@@ -171,11 +147,7 @@ class Maxima {
       R *depth = depth_.data() + first, *speed = speed_.data() + first, *arrival = arrival_.data() + first;
       const R *h = d.h.row(j), *hu = d.hu.row(j), *hv = d.hv.row(j);
       for (int i = 0; i < d.nx; ++i) {
-        const R size = std::sqrt(hu[i] * hu[i] + hv[i] * hv[i]);
-        const R moved = d.velocity(size, h[i]);
-        depth[i] = physics::maximum(depth[i], h[i]);
-        speed[i] = physics::maximum(speed[i], moved);
-        arrival[i] = std::isnan(arrival[i]) && h[i] > arrival_depth_ ? now : arrival[i];
+        take_maxima(h[i], hu[i], hv[i], now, arrival_depth_, d.parameters.dry_depth, depth[i], speed[i], arrival[i]);
       }
     }
   }
@@ -196,4 +168,4 @@ class Maxima {
   std::vector<R> depth_, speed_, arrival_;
 };
 
-}  // namespace sandsim::cpu
+}  // namespace sandsim

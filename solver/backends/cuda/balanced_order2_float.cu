@@ -1,0 +1,9 @@
+#include "solver/backends/cuda/instances.cuh"
+
+namespace sandsim::tiles {
+
+template std::unique_ptr<Backend> make_balanced<float, 2>(const SharedCuda&, const BackendConfig&, const InitialState&);
+template std::unique_ptr<Ensemble> make_balanced_ensemble<float, 2>(const SharedCuda&,
+                                                                    const std::vector<EnsembleMember>&);
+
+}  // namespace sandsim::tiles

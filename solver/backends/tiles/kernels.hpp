@@ -1,0 +1,245 @@
+// The launches of a run on tiles. A kernel is a trivially copyable object that is called with a
+// block; `doing` is for messages.
+#pragma once
+
+#include "solver/backends/tiles/block_functions.hpp"
+
+namespace sandsim::tiles {
+
+/// Threads of a block that goes over cells one by one.
+inline constexpr int cell_threads = 256;
+
+/// Steps every tile of the grid. The block that comes last ends the step, unless rain follows.
+template <class Tile>
+struct StepKernel {
+  static constexpr const char* doing = "take a step";
+  static constexpr int most_threads = Tile::threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  TileLayout layout;
+  Control<R>* control;
+  bool rain_follows;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    if (block.read(&control->go) == 0) {
+      return;
+    }
+    typename Block::template PerThread<TileOutcome<R>> outcomes(block);
+    const auto bounds = [&](int strip) { return layout.bounds(block, strip, tile.fields.nx, tile.fields.ny); };
+    const int current = control->current;
+    tile.step(block, current, static_cast<R>(control->loop.step), layout.height, bounds, outcomes);
+    gather(block, outcomes, control);
+    if (!rain_follows && block.last(&control->arrived)) {
+      close_step(block, tile, control, 0.0);
+    }
+  }
+};
+
+/// Rain, by one block: onto the new state, and then the step ends; or onto the present state, between steps.
+template <class Tile>
+struct RainKernel {
+  static constexpr const char* doing = "add sand";
+  static constexpr int most_threads = sum_lanes;
+  using R = typename Tile::Real;
+  Tile tile;
+  Control<R>* control;
+  const RainView* rains;
+  int count;
+  bool ends_step;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    if (block.read(&control->go) == 0) {
+      return;
+    }
+    const int current = control->current;
+    const double volume = rain(block, tile, ends_step ? 1 - current : current, rains, count, control);
+    if (ends_step) {
+      close_step(block, tile, control, volume);
+    } else {
+      block.each([&](int x, int strip) {
+        if (x == 0 && strip == 0) {
+          control->loop.volume_in += volume;
+        }
+      });
+    }
+  }
+};
+
+/// Takes the present state into the maxima.
+template <class Tile>
+struct MaximaKernel {
+  static constexpr const char* doing = "take maxima";
+  static constexpr int most_threads = cell_threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  const Control<R>* control;
+  MaximaView<R> maxima;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    block.each([&](int x, int) {
+      const std::int64_t thread = static_cast<std::int64_t>(block.x()) * block.width() + x;
+      take_cell_maxima(tile, *control, maxima, thread, static_cast<std::int64_t>(block.width()) * block.blocks());
+    });
+  }
+};
+
+/// The largest speed of the present state goes to *fastest, which is 0 before.
+template <class Tile>
+struct SpeedKernel {
+  static constexpr const char* doing = "find the largest speed";
+  static constexpr int most_threads = cell_threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  int current;
+  R* fastest;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    block.each([&](int x, int) {
+      const std::int64_t cells = static_cast<std::int64_t>(tile.fields.nx) * tile.fields.ny;
+      const std::int64_t stride = static_cast<std::int64_t>(block.width()) * block.blocks();
+      R largest = 0;
+      for (std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x; k < cells; k += stride) {
+        largest = physics::maximum(largest, speed_of_cell(tile, current, k));
+      }
+      block.raise(fastest, largest);
+    });
+  }
+
+  SANDSIM_HD static R speed_of_cell(const Tile& tile, int current, std::int64_t k) {
+    const int nx = tile.fields.nx;
+    return tile.speed(tile.fields.state(current), static_cast<int>(k % nx), static_cast<int>(k / nx));
+  }
+};
+
+/// The first cell whose speed is *fastest goes to *cell, which is the number of cells before.
+template <class Tile>
+struct FindSpeedKernel {
+  static constexpr const char* doing = "find the fastest cell";
+  static constexpr int most_threads = cell_threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  int current;
+  const R* fastest;
+  std::int64_t* cell;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    block.each([&](int x, int) {
+      const std::int64_t cells = static_cast<std::int64_t>(tile.fields.nx) * tile.fields.ny;
+      const std::int64_t stride = static_cast<std::int64_t>(block.width()) * block.blocks();
+      for (std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x; k < cells; k += stride) {
+        if (SpeedKernel<Tile>::speed_of_cell(tile, current, k) == *fastest) {
+          block.lower(cell, k);
+        }
+      }
+    });
+  }
+};
+
+/// A field of the present state, rows of nx.
+template <class Tile>
+struct FieldKernel {
+  static constexpr const char* doing = "copy a field";
+  static constexpr int most_threads = cell_threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  int current;
+  CellField field;
+  R* values;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    block.each([&](int x, int) {
+      const auto& f = tile.fields;
+      const StateView<R>& state = f.state(current);
+      const std::int64_t cells = static_cast<std::int64_t>(f.nx) * f.ny;
+      const std::int64_t stride = static_cast<std::int64_t>(block.width()) * block.blocks();
+      for (std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x; k < cells; k += stride) {
+        const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
+        const std::ptrdiff_t at = state.at(i, j);
+        const R b = Tile::flat ? R(0) : f.bed.row(j)[i];
+        values[k] = cell_value(field, state.h[at], state.hu[at], state.hv[at], b, f.dry_depth);
+      }
+    });
+  }
+};
+
+/// Depth and velocity of single cells, three numbers each.
+template <class Tile>
+struct ProbeKernel {
+  static constexpr const char* doing = "read probes";
+  static constexpr int most_threads = cell_threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  int current;
+  const std::int64_t* cells;
+  std::int64_t count;
+  double* values;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    block.each([&](int x, int) {
+      const std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x;
+      if (k < count) {
+        const StateView<R>& state = tile.fields.state(current);
+        const int nx = tile.fields.nx;
+        const std::ptrdiff_t at = state.at(static_cast<int>(cells[k] % nx), static_cast<int>(cells[k] / nx));
+        const R h = state.h[at], dry = tile.fields.dry_depth;
+        values[3 * k] = static_cast<double>(h);
+        values[3 * k + 1] = static_cast<double>(physics::quotient_velocity(state.hu[at], h, dry));
+        values[3 * k + 2] = static_cast<double>(physics::quotient_velocity(state.hv[at], h, dry));
+      }
+    });
+  }
+};
+
+/// Sums of row block.x(), by one block of 32 threads.
+template <class Tile>
+struct RowSumsKernel {
+  static constexpr const char* doing = "sum rows";
+  static constexpr int most_threads = sum_lanes;
+  using R = typename Tile::Real;
+  Tile tile;
+  int current;
+  CellSums* rows;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    const StateView<R>& state = tile.fields.state(current);
+    const int j = block.x();
+    const CellSums sums = block_sum<CellSums>(block, tile.fields.nx, [&](CellSums& lane, std::int64_t i) {
+      const std::ptrdiff_t at = state.at(static_cast<int>(i), j);
+      lane.add_cell(state.h[at], state.hu[at], state.hv[at]);
+    });
+    block.each([&](int x, int) {
+      if (x == 0) {
+        rows[j] = sums;
+      }
+    });
+  }
+};
+
+/// Sum over the rows, by one block of 32 threads.
+struct TotalKernel {
+  static constexpr const char* doing = "sum up";
+  static constexpr int most_threads = sum_lanes;
+  const CellSums* rows;
+  int count;
+  CellSums* total;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    const CellSums sums = block_sum<CellSums>(block, count, [&](CellSums& lane, std::int64_t j) { lane += rows[j]; });
+    block.each([&](int x, int) {
+      if (x == 0) {
+        *total = sums;
+      }
+    });
+  }
+};
+
+}  // namespace sandsim::tiles
