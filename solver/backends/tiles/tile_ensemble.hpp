@@ -61,12 +61,13 @@ class TileEnsemble final : public Ensemble {
     constexpr int warp = 32;
     shape_.width = (widest + 2 * Tile::reach + warp - 1) / warp * warp;
     shape_.strips = std::clamp(EnsembleKernel<Tile>::most_threads / shape_.width, 1, highest);
-    constexpr std::size_t alignment = 16;
+    constexpr std::size_t alignment = alignof(typename EnsembleKernel<Tile>::Resident);
     const std::size_t rows = (step_shared_bytes<Tile>(shape_) + alignment - 1) / alignment * alignment;
+    const std::size_t numbers = sizeof(typename EnsembleKernel<Tile>::Resident);
     const std::size_t states = 6 * most_cells * sizeof(R);
-    const bool resident = rows + states <= machine_->shared_bytes_a_block();
-    kernel_ = {views_.data(), rows, resident};
-    shared_bytes_ = rows + (resident ? states : 0);
+    const bool states_fit = rows + numbers + states <= machine_->shared_bytes_a_block();
+    kernel_ = {views_.data(), rows, states_fit};
+    shared_bytes_ = rows + numbers + (states_fit ? states : 0);
   }
 
   std::shared_ptr<Machine> machine_;
