@@ -13,6 +13,7 @@
 #include "cli/run_session.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/json.hpp"
+#include "io/output/mesh_cache.hpp"
 #include "io/output/scene_hash.hpp"
 #include "io/output/series_writer.hpp"
 #include "io/scene/resolved_scene.hpp"
@@ -87,8 +88,31 @@ Checkpoint load_checkpoint(const RunInput& input, const OutputFiles& files) {
   return read_checkpoint(files.checkpoint, input.hash);
 }
 
+/// Turns meshes into signed distances, or takes them from an earlier run: they are kept beside the results.
+void bake_objects(RunInput& input, const RunArguments& arguments, Console& console) {
+  const bool shows = console.terminal && !arguments.quiet;
+  const auto progress = [&](const std::string& name, double done) {
+    console.err << fmt::format("\rsandsim: mesh of '{}': {:3.0f} % baked{}", name, 100.0 * done, done < 1.0 ? "" : "\n")
+                << std::flush;
+  };
+  const auto report = [&](const std::string& name, const CachedMesh& mesh) {
+    const objects::MeshDefects& defects = mesh.baked.defects;
+    if (!defects.is_closed()) {
+      input.warnings.push_back(
+          fmt::format("the mesh of '{}' is not closed: {} open and {} non-manifold edges; holes "
+                      "are taken as closed where half of the view is blocked",
+                      name, defects.open_edges, defects.non_manifold_edges));
+      if (!arguments.quiet) {
+        console.err << "sandsim: warning: " << input.warnings.back() << '\n';
+      }
+    }
+  };
+  bake_meshes(input.scene, fs::absolute(input.directory).parent_path(), report,
+              shows ? progress : std::function<void(const std::string&, double)>{});
+}
+
 ExitCode run_scene(const RunArguments& arguments, Console& console, RunContext& context) {
-  const RunInput input = read_input(arguments, console);
+  RunInput input = read_input(arguments, console);
   context.title = input.scene.title;
   context.scene_hash = input.hash;
   context.output = input.directory.string();
@@ -102,6 +126,7 @@ ExitCode run_scene(const RunArguments& arguments, Console& console, RunContext& 
     checkpoint = load_checkpoint(input, planned);
   }
   const OutputFiles files = prepare_output_directory(input.directory, arguments.overwrite, arguments.resume);
+  bake_objects(input, arguments, console);
   RunSession session(arguments, input, files, context, console);
   return session.run(checkpoint ? &*checkpoint : nullptr);
 }

@@ -111,6 +111,10 @@ std::string run_summary(const Scene& scene, const RunReport& report, const std::
   text += status_line(scene, report);
   text += time_lines(scene, report);
   text += volume_line(report.ledger);
+  for (const ObjectReport& object : report.objects) {
+    text += line("object", fmt::format("{}: moved {:.4g} m^3 of sand out of its way, {:.3g} m deep at most",
+                                       object.name, object.displaced_volume, object.deepest));
+  }
   if (report.at_rest) {
     text +=
         line("slopes", report.max_slope_violation > 0.0

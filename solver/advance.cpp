@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "solver/backend.hpp"
+#include "solver/object_stage.hpp"
 #include "solver/stage_timer.hpp"
 
 namespace sandsim {
@@ -32,13 +32,17 @@ void advance_step_by_step(Backend& backend, const BackendConfig& config, StepLoo
     if (stages.sources != nullptr) {
       loop.volume_in += rain(backend, config.rains, loop, *stages.sources);
     }
+    if (!config.objects.empty()) {
+      StageTimer timer(*stages.objects, 0.0);
+      couple_objects(backend, config.objects, loop, *stages.object_reports);
+    }
     loop.finish(rules, outcome);
     if (config.maxima) {
       StageTimer timer(*stages.maxima, 1.5 * backend.bytes_per_step());
       backend.update_maxima(loop.time);
     }
     if (loop.halt == Halt::none) {
-      loop.plan(rules, backend.stable_step());
+      loop.plan(rules, std::min(backend.stable_step(), object_step(config.objects, loop.time, config)));
     }
   }
 }

@@ -1,6 +1,7 @@
 // The seam between the time loop and the machine that does the steps. One virtual call a step, none per cell.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "solver/initial_state.hpp"
+#include "solver/objects/object.hpp"
 #include "solver/report.hpp"
 #include "solver/scene.hpp"
 #include "solver/sink.hpp"
@@ -22,6 +24,15 @@ struct SandRain {
   double start = 0.0, end = 0.0;    // [s]
 };
 
+/// What an object did to the sand in a step.
+struct ObjectEffect {
+  double overlapped_volume = 0.0;            // [m^3] of sand, before it was moved
+  double displaced_volume = 0.0;             // [m^3]
+  std::array<double, 2> momentum{0.0, 0.0};  // [m^4/s] given to the sand, per density
+  double work = 0.0;                         // [m^5/s^2] likewise
+  double deepest = 0.0;                      // [m] of the object under the surface
+};
+
 /// What a backend has to know besides the initial state.
 struct BackendConfig {
   Grid grid;
@@ -30,6 +41,7 @@ struct BackendConfig {
   Numerics numerics;
   double courant = 0.6;
   std::vector<SandRain> rains;
+  std::vector<std::shared_ptr<const objects::Object>> objects;
   bool maxima = false;         // keep max_depth, max_speed, arrival_time
   double arrival_depth = 0.0;  // [m]
   int threads = 0;             // 0: as many as the machine has; results do not depend on it
@@ -59,7 +71,8 @@ struct SpeedLimit {
 
 /// The stages of a run's report that a loop of steps adds to; null where the scene has no such stage.
 struct LoopStages {
-  StageReport *step = nullptr, *sources = nullptr, *maxima = nullptr;
+  StageReport *step = nullptr, *sources = nullptr, *maxima = nullptr, *objects = nullptr;
+  std::vector<ObjectReport>* object_reports = nullptr;
 };
 
 /// What is taken from a state for a frame.
@@ -107,6 +120,8 @@ class Backend {
   virtual StepOutcome step(double dt) = 0;
   /// Adds rate * dt to the depth of each cell of the rain; returns the volume that the cells gained. [m^3]
   virtual double rain(const SandRain& rain, double dt) = 0;
+  /// Lets object k of the configuration, which has gone from `before` to `after`, act on the present state.
+  virtual ObjectEffect couple(std::size_t k, const objects::RigidState& before, const objects::RigidState& after) = 0;
 
   virtual GridStatistics statistics() const = 0;
   /// One output field by its name in series.h5.

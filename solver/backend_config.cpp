@@ -8,6 +8,7 @@
 #include "solver/backends/cuda/cuda.hpp"
 #include "solver/errors.hpp"
 #include "solver/numerics.hpp"
+#include "solver/object_stage.hpp"
 
 namespace sandsim {
 namespace {
@@ -16,10 +17,10 @@ namespace {
 constexpr double arrival_fraction = 1e-3;
 
 /// Bytes that the state and its maps will take, halos left out. The initial state is held in float64 meanwhile.
-double expected_bytes(const Scene& scene, const InitialState& initial) {
-  const double word = scene.numerics.precision == Precision::float32 ? 4.0 : 8.0;
-  const double cells = static_cast<double>(scene.grid.cell_count());
-  double words = 6.0 + (initial.bed.empty() ? 0.0 : 1.0) + (scene.output.maxima ? 3.0 : 0.0);
+double expected_bytes(const BackendConfig& config, const InitialState& initial) {
+  const double word = config.numerics.precision == Precision::float32 ? 4.0 : 8.0;
+  const double cells = static_cast<double>(config.grid.cell_count());
+  double words = 6.0 + (initial.bed.empty() ? 0.0 : 1.0) + (config.maxima ? 3.0 : 0.0);
   for (const auto* map : {&initial.friction_coefficient, &initial.hbar_scale, &initial.hbar_cap}) {
     words += map->size() > 1 ? 1.0 : 0.0;
   }
@@ -36,6 +37,7 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   config.numerics = scene.numerics;
   config.courant = scene.time.courant.value_or(default_courant(scene.numerics));
   config.rains = sand_rains(scene);
+  config.objects = coupled_objects(scene);
   config.maxima = scene.output.maxima;
   config.arrival_depth =
       scene.output.arrival_depth > 0.0 ? scene.output.arrival_depth : arrival_fraction * scene.grid.spacing;
@@ -43,11 +45,11 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   return config;
 }
 
-std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, Device device, int threads) {
+std::unique_ptr<Backend> make_backend(const BackendConfig& config, const InitialState& initial, Device device) {
   if (device == Device::cuda) {
-    return make_cuda_backend(backend_config(scene, threads), initial);
+    return make_cuda_backend(config, initial);
   }
-  const double needed = expected_bytes(scene, initial);
+  const double needed = expected_bytes(config, initial);
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed > present) {
     throw DeviceError("the scene needs " + std::to_string(static_cast<std::int64_t>(needed / 1048576.0)) +
@@ -55,7 +57,7 @@ std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& in
                       std::to_string(static_cast<std::int64_t>(present / 1048576.0)) +
                       " MiB. Use fewer cells, or numerics.precision: float32?");
   }
-  return make_cpu_backend(backend_config(scene, threads), initial);
+  return make_cpu_backend(config, initial);
 }
 
 std::vector<std::string> output_field_names(const Scene& scene) {

@@ -15,9 +15,9 @@ namespace sandsim {
 
 BackendConfig backend_config(const Scene& scene, int threads);
 
-/// The backend for the scene on the CPU or a CUDA device, its memory checked first. Throws DeviceError if there is too
-/// little, or no such device.
-std::unique_ptr<Backend> make_backend(const Scene& scene, const InitialState& initial, Device device, int threads);
+/// A backend on the CPU or a CUDA device, its memory checked first. Throws DeviceError if there is too little, or no
+/// such device.
+std::unique_ptr<Backend> make_backend(const BackendConfig& config, const InitialState& initial, Device device);
 
 /// Names in series.h5 of the fields that the scene asks for.
 std::vector<std::string> output_field_names(const Scene& scene);

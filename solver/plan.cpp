@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "solver/backend_config.hpp"
+#include "solver/object_stage.hpp"
 #include "solver/simulation.hpp"
 
 namespace sandsim {
@@ -9,6 +10,9 @@ std::vector<std::string> stage_names(const Scene& scene) {
   std::vector<std::string> names{"step"};
   if (!scene.sand.sources.empty()) {
     names.push_back("sources");
+  }
+  if (!coupled_objects(scene).empty()) {
+    names.push_back("objects");
   }
   if (scene.output.maxima) {
     names.push_back("maxima");
@@ -19,7 +23,7 @@ std::vector<std::string> stage_names(const Scene& scene) {
 
 Plan plan(const Scene& scene) {
   const InitialState initial = build_initial_state(scene);
-  const auto backend = make_backend(scene, initial, Device::cpu, 0);
+  const auto backend = make_backend(backend_config(scene, 0), initial, Device::cpu);
   const FrameSchedule schedule(scene.time);
   Plan plan;
   plan.stages = stage_names(scene);

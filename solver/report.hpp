@@ -1,6 +1,7 @@
 // The report of a run: what happened, whatever the end. Written also on failure; the exit code comes from it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,6 +28,17 @@ struct StageReport {
   double seconds = 0.0;
   std::int64_t launches = 0;  // calls of the stage
   double bytes = 0.0;         // bytes moved to and from memory by the stage's arrays, summed over calls
+};
+
+/// What a kinematic object did to the sand, summed over the run; per density.
+struct ObjectReport {
+  std::string name;
+  double overlapped_volume = 0.0;            // [m^3] of sand in the object, at the end
+  double displaced_volume = 0.0;             // [m^3] moved out of its way
+  std::array<double, 2> momentum{0.0, 0.0};  // [m^4/s] given to the sand
+  double work = 0.0;                         // [m^5/s^2] likewise
+  double deepest = 0.0;                      // [m] largest depth under the surface
+  double seconds = 0.0;                      // spent on it
 };
 
 /// Volume that entered and left, summed over the run. [m^3]
@@ -83,7 +95,8 @@ struct RunReport {
   double first_step_time = 0.0;        // [s] wall clock from the start of the run to the first step
   double cell_steps_per_second = 0.0;  // cells * steps / seconds spent in the solver's stages
   std::vector<StageReport> stages;
-  std::int64_t memory_bytes = 0;  // allocated by the backend
+  std::vector<ObjectReport> objects;  // those that are coupled in every step
+  std::int64_t memory_bytes = 0;      // allocated by the backend
   Ledger ledger;
   double dt_min = 0.0;  // [s]
   double dt_max = 0.0;  // [s]

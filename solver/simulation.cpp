@@ -10,6 +10,7 @@
 #include "solver/backend.hpp"
 #include "solver/backend_config.hpp"
 #include "solver/initial_state.hpp"
+#include "solver/object_stage.hpp"
 #include "solver/reference/compare.hpp"
 #include "solver/snapshot.hpp"
 #include "solver/stage_timer.hpp"
@@ -31,7 +32,7 @@ double drift_tolerance(Precision precision) {
 /// Between two looks at interrupts and limits the steps should take about this long. [s]
 constexpr double look_interval = 0.01;
 
-StepRules step_rules(const Scene& scene, const std::vector<SandRain>& rains) {
+StepRules step_rules(const Scene& scene, const BackendConfig& config) {
   StepRules rules;
   const TimeControl& time = scene.time;
   rules.fixed_step = time.mode == TimeMode::fixed ? time.step : 0.0;
@@ -39,7 +40,8 @@ StepRules step_rules(const Scene& scene, const std::vector<SandRain>& rains) {
   rules.minimum_step = time.minimum_step.value_or(1e-9 * time.end);
   rules.rain_step = HUGE_VAL;
   rules.rain_end = -HUGE_VAL;
-  for (const SandRain& rain : rains) {
+  rules.objects_end = objects_move_until(config.objects);
+  for (const SandRain& rain : config.rains) {
     // A step may neither pile up more than a tenth of a spacing nor outlast a fall over one spacing: sand on a dry
     // bed has no wave speed yet that would bound the step.
     const double dx = scene.grid.spacing;
@@ -80,6 +82,7 @@ class Run {
   Clock::time_point start_ = Clock::now();
   InitialState initial_;
   FrameSchedule schedule_;
+  BackendConfig backend_config_;
   std::unique_ptr<Backend> backend_;
   Snapshots snapshots_;
   RunReport report_;
@@ -99,9 +102,10 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
       sink_(sink),
       initial_(build_initial_state(scene)),
       schedule_(scene.time),
-      backend_(make_backend(scene, initial_, options.device, options.threads)),
+      backend_config_(backend_config(scene, options.threads)),
+      backend_(make_backend(backend_config_, initial_, options.device)),
       snapshots_(scene, initial_),
-      rules_(step_rules(scene, sand_rains(scene))) {
+      rules_(step_rules(scene, backend_config_)) {
   const Numerics& numerics = scene.numerics;
   report_.device = backend_->device();
   report_.threads = backend_->threads();
@@ -113,7 +117,11 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
   for (const std::string& name : stage_names(scene)) {
     report_.stages.push_back({name, 0.0, 0, 0.0});
   }
-  stages_ = {stage("step"), stage("sources"), stage("maxima")};
+  for (const auto& object : backend_config_.objects) {
+    report_.objects.push_back({});
+    report_.objects.back().name = object->name();
+  }
+  stages_ = {stage("step"), stage("sources"), stage("maxima"), stage("objects"), &report_.objects};
   frames_ = stage("frames");
   report_.ledger.initial = report_.ledger.final = backend_->statistics().volume;
 }
@@ -219,7 +227,8 @@ RunReport Run::go() {
 Run::Next Run::advance_to(double due) {
   rules_.due = due;
   loop_.halt = Halt::none;
-  loop_.plan(rules_, backend_->stable_step());
+  loop_.plan(rules_,
+             std::min(backend_->stable_step(), object_step(backend_config_.objects, loop_.time, backend_config_)));
   locate_smallest_step();
   while (true) {
     if (loop_.halt == Halt::due) {

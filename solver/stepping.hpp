@@ -28,6 +28,7 @@ struct StepRules {
   double minimum_step = 0.0;  // [s] an adaptive step below it is a collapse
   double rain_step = 0.0;     // [s] bound as long as some source is or will be open
   double rain_end = 0.0;      // [s] no source is open from here on
+  double objects_end = 0.0;   // [s] no object moves from here on
 
   SANDSIM_HD bool rains_from(double time) const { return time < rain_end; }
 };
@@ -139,7 +140,8 @@ SANDSIM_HD void StepLoop::finish(const StepRules& rules, const StepOutcome& did)
     halt = Halt::broken;
   } else if (did.moving || did.changed) {
     last_motion = time;
-  } else if (!rules.rains_from(time) && (rules.fixed_step > 0.0 || step >= 0.49 * physics::minimum(bound, 1e30))) {
+  } else if (!rules.rains_from(time) && time >= rules.objects_end &&
+             (rules.fixed_step > 0.0 || step >= 0.49 * physics::minimum(bound, 1e30))) {
     at_rest = true;
   }
 }

@@ -64,6 +64,20 @@ void add_ledger(JsonWriter& json, const Ledger& ledger) {
   json.member("volume_error", ledger.error());
 }
 
+/// Left out where no object is coupled.
+void add_objects(JsonWriter& json, const std::vector<ObjectReport>& objects) {
+  if (objects.empty()) return;
+  json.begin_array("objects");
+  for (const ObjectReport& object : objects) {
+    json.begin_object().member("name", object.name);
+    json.member("overlapped_volume", object.overlapped_volume).member("displaced_volume", object.displaced_volume);
+    json.member("momentum_x", object.momentum[0]).member("momentum_y", object.momentum[1]);
+    json.member("work", object.work).member("deepest", object.deepest).member("seconds", object.seconds);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void add_incident(JsonWriter& json, const char* key, const std::optional<Incident>& incident, const Grid& grid) {
   if (!incident) return;
   json.begin_object(key);
@@ -104,6 +118,7 @@ std::string run_report_json(const RunReport& report, const RunContext& context) 
   add_run(json, report, context);
   add_cost(json, report);
   add_ledger(json, report.ledger);
+  add_objects(json, report.objects);
   json.member("dt_min", report.dt_min);
   json.member("dt_max", report.dt_max);
   add_incident(json, "smallest_step", report.smallest_step, context.grid);

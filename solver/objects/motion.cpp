@@ -1,6 +1,7 @@
 #include "solver/objects/motion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "solver/objects/rotation.hpp"
@@ -108,6 +109,18 @@ RigidState KeyframeMotion::at(double time) const {
   return {{segment.from.position + step.value, orientation},
           per_second * step.rate,
           per_second * rotate(orientation, body_rate(turn.value, turn.rate))};
+}
+
+double moves_until(const Motion& motion) {
+  constexpr double always = std::numeric_limits<double>::infinity();
+  if (const auto* uniform = std::get_if<UniformMotion>(&motion)) {
+    const bool moves = length(uniform->start.velocity) > 0.0 || length(uniform->start.angular_velocity) > 0.0;
+    return moves ? always : -always;
+  }
+  if (const auto* spin = std::get_if<SpinMotion>(&motion)) {
+    return length(spin->angular_velocity) > 0.0 ? always : -always;
+  }
+  return std::get<KeyframeMotion>(motion).end();
 }
 
 }  // namespace sandsim::objects

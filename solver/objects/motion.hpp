@@ -58,6 +58,7 @@ class KeyframeMotion {
   KeyframeMotion(const std::vector<Keyframe>& keyframes, Interpolation interpolation);
 
   RigidState at(double time) const;
+  double end() const { return end_; }  // [s] the last keyframe
 
  private:
   /// Between two keyframes; s goes from 0 to 1. Vectors of rotation are in the frame of the first one.
@@ -78,6 +79,9 @@ class KeyframeMotion {
 };
 
 using Motion = std::variant<UniformMotion, SpinMotion, KeyframeMotion>;
+
+/// Nothing moves after this time; -infinite if nothing ever does. [s]
+double moves_until(const Motion& motion);
 
 /// The state at a time [s].
 inline RigidState at(const Motion& motion, double time) {

@@ -1,5 +1,6 @@
 #include "solver/objects/object.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <variant>
@@ -178,6 +179,7 @@ Object::Object(const KinematicObject& object, double grid_spacing)
       sample_spacing_(object.sample_spacing.value_or(grid_spacing)),
       start_(object.start),
       end_(object.end.value_or(std::numeric_limits<double>::infinity())),
+      moves_until_(std::min(end_, objects::moves_until(motion_))),
       reach_(reach(shape_.bounds({}))) {}
 
 double Object::top_speed(const RigidState& state) const {

@@ -24,6 +24,10 @@ TEST_CASE("A loop of steps with sources and maxima on the device goes as on the 
   check_loops(make_cuda_backend);
 }
 
+TEST_CASE("Objects act on the device as on the CPU") {
+  check_objects_on(make_cuda_backend);
+}
+
 TEST_CASE("Runs side by side on the device go as each on the CPU") {
   check_ensemble(make_cuda_ensemble);
 }

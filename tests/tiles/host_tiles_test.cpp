@@ -15,6 +15,10 @@ TEST_CASE("A loop of steps with sources and maxima on tiles goes as on the CPU")
   check_loops(make_host_tiles);
 }
 
+TEST_CASE("Objects act on tiles as on the CPU and lose no sand") {
+  check_objects_on(make_host_tiles);
+}
+
 TEST_CASE("Runs side by side in blocks go as each on the CPU") {
   check_ensemble(make_host_ensemble);
 }

@@ -17,6 +17,8 @@ using MakeEnsemble = std::function<std::unique_ptr<Ensemble>(const std::vector<E
 void check_steps(const MakeBackend& make);
 /// Loops of steps with sources and maxima, and the capture of a frame.
 void check_loops(const MakeBackend& make);
+/// Objects that displace and drag.
+void check_objects_on(const MakeBackend& make);
 /// Runs side by side, of different grids, materials, boundaries and steps.
 void check_ensemble(const MakeEnsemble& make);
 

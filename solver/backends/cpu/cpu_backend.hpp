@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solver/backend.hpp"
+#include "solver/backends/coupling/host_scratch.hpp"
 #include "solver/backends/cpu/rows.hpp"
 #include "solver/backends/diagnostics.hpp"
 #include "solver/backends/halo.hpp"
@@ -49,6 +50,7 @@ class CpuBackend final : public Backend {
   Capture end_capture() override { return std::move(capture_); }
   StepOutcome step(double dt) override;
   double rain(const SandRain& rain, double dt) override;
+  ObjectEffect couple(std::size_t k, const objects::RigidState& before, const objects::RigidState& after) override;
 
   GridStatistics statistics() const override { return grid_statistics(diagnosed(), threads_); }
   FieldValues field(const std::string& name) const override { return named_field(diagnosed(), name); }
@@ -86,6 +88,8 @@ class CpuBackend final : public Backend {
   /// The speeds of a block's first and last row, once all blocks are done.
   void step_edges(const Rows& rows, int block, R& fastest) const;
   double outflow(double dt) const;
+  /// After a change to rows [j0, j1) of the present state: their ghost cells, and the speeds around them.
+  void refresh_rows(int j0, int j1);
 
   BackendConfig config_;
   Make make_;
@@ -103,6 +107,7 @@ class CpuBackend final : public Backend {
   SideFlow flow_;
   Maxima<R> maxima_;
   Capture capture_;
+  coupling::HostScratch coupling_scratch_;
 };
 
 template <class Rows, class Make>
@@ -344,18 +349,40 @@ double CpuBackend<Rows, Make>::rain(const SandRain& rain, double dt) {
     lane += static_cast<double>(h) - static_cast<double>(before);
     j_first = std::min(j_first, j), j_last = std::max(j_last, j);
   });
-  for (int j = j_first; j <= j_last; ++j) {
+  refresh_rows(j_first, j_last + 1);
+  return gained * config_.grid.spacing * config_.grid.spacing;
+}
+
+template <class Rows, class Make>
+void CpuBackend<Rows, Make>::refresh_rows(int j0, int j1) {
+  for (int j = j0; j < j1; ++j) {
     halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
   }
   fill_ghost_rows(current_);
-  const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
-  const auto take_speeds = [&](int j0, int j1) { fastest_ = std::max(fastest_, rows_speed(rows, current_, j0, j1)); };
-  take_speeds(std::max(0, j_first - 1), std::min(ny(), j_last + 2));
-  if (config_.boundaries.y_min == BoundaryKind::periodic && (j_first == 0 || j_last == ny() - 1)) {
+  const Rows rows = make_(fields(), parameters(R(0)));
+  const auto take_speeds = [&](int first, int last) {
+    fastest_ = std::max(fastest_, rows_speed(rows, current_, first, last));
+  };
+  take_speeds(std::max(0, j0 - 1), std::min(ny(), j1 + 1));
+  if (config_.boundaries.y_min == BoundaryKind::periodic && (j0 == 0 || j1 == ny())) {
     take_speeds(0, 1);  // neighbours across the periodic sides
     take_speeds(ny() - 1, ny());
   }
-  return gained * config_.grid.spacing * config_.grid.spacing;
+}
+
+template <class Rows, class Make>
+ObjectEffect CpuBackend<Rows, Make>::couple(std::size_t k, const objects::RigidState& before,
+                                            const objects::RigidState& after) {
+  const objects::Object& object = *config_.objects[k];
+  auto job = coupling::make_job<R>(config_.grid, object, before, after);
+  if (job.patch.empty()) {
+    return {};
+  }
+  job.state = {h_[current_].row(0), hu_[current_].row(0), hv_[current_].row(0), h_[current_].view().stride};
+  job.bed = bed_.view(), job.flat = Rows::flat;
+  const coupling::CouplingSums sums = coupling_scratch_.couple(job, object.coupling());
+  refresh_rows(job.patch.j0, job.patch.j1);
+  return coupling::effect_of(sums, config_.grid.spacing);
 }
 
 template <class Rows, class Make>

@@ -11,7 +11,7 @@
 namespace sandsim::tiles {
 
 /// Shared memory that block_sum() needs. [B]
-inline constexpr std::size_t block_sum_bytes = sum_lanes * sizeof(CellSums);
+inline constexpr std::size_t block_sum_bytes = sum_lanes * 64;
 
 /// Shared memory for a step with tiles. [B]
 template <class Tile>
@@ -26,6 +26,7 @@ std::size_t step_shared_bytes(const BlockShape& shape) {
 /// threads wide, of which the first 32 work; the result is the same for every thread.
 template <class T, class Block, class Add>
 SANDSIM_HD T block_sum(Block& block, std::int64_t n, Add add) {
+  static_assert(sizeof(T) * sum_lanes <= block_sum_bytes);
   T* lanes = block.template shared<T>();
   block.each([&](int x, int strip) {
     if (strip == 0 && x < sum_lanes) {

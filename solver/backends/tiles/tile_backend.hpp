@@ -13,6 +13,7 @@
 #include "solver/backend.hpp"
 #include "solver/backends/diagnostics.hpp"
 #include "solver/backends/halo.hpp"
+#include "solver/backends/tiles/couple_kernel.hpp"
 #include "solver/backends/tiles/ensemble_kernel.hpp"
 #include "solver/backends/tiles/kernels.hpp"
 #include "solver/errors.hpp"
@@ -53,6 +54,7 @@ class TileBackend final : public Backend {
   Capture end_capture() override;
   StepOutcome step(double dt) override;
   double rain(const SandRain& rain, double dt) override;
+  ObjectEffect couple(std::size_t k, const objects::RigidState& before, const objects::RigidState& after) override;
 
   GridStatistics statistics() const override;
   FieldValues field(const std::string& name) const override;
@@ -88,6 +90,7 @@ class TileBackend final : public Backend {
   FieldView<R> upload_map(const Field<R>& host, Array<R>& copy);
   void lay_out_states();
   void take_rains();
+  void take_objects();
   void launch_step(bool rain_follows);
   void launch_maxima();
   void put_control() { machine_->upload(control_array_.data(), &control_, 1); }
@@ -115,6 +118,17 @@ class TileBackend final : public Backend {
   Array<std::int64_t> rain_cells_;
   Array<RainView> rains_;
   MaximaView<R> maxima_;
+  /// An object's shape on the machine.
+  struct ShapeCopy {
+    Array<objects::Primitive> primitives;
+    Array<objects::Instruction> instructions;
+    Array<float> grid;
+    objects::ShapeView view;
+  };
+  std::vector<ShapeCopy> shapes_;
+  Array<double> coupling_scratch_;
+  Array<int> coupling_levels_;
+  Array<coupling::CouplingSums> coupling_sums_;
   Array<R> maxima_array_;
   Control<R> control_;  // the host's copy; the machine's between put and get
   Array<Control<R>> control_array_;
@@ -133,5 +147,6 @@ class TileBackend final : public Backend {
 
 }  // namespace sandsim::tiles
 
+#include "solver/backends/tiles/tile_backend_objects.hpp"
 #include "solver/backends/tiles/tile_backend_state.hpp"
 #include "solver/backends/tiles/tile_backend_steps.hpp"

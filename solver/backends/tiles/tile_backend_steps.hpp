@@ -24,6 +24,7 @@ TileBackend<Machine, Tile>::TileBackend(const std::shared_ptr<Machine>& machine,
   lay_out_states();
   take_material(initial);
   take_rains();
+  take_objects();
   control_array_ = allocate<Control<R>>(1);
   row_sums_ = allocate<CellSums>(static_cast<std::size_t>(ny()) + 1);
   found_speed_ = allocate<R>(1);
@@ -189,6 +190,11 @@ auto TileBackend<Machine, Tile>::control_for(const StepLoop& loop, const StepRul
 template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::advance(StepLoop& loop, const StepRules& rules, std::int64_t most,
                                          const LoopStages& stages, const std::function<void()>& meanwhile) {
+  if (!config_.objects.empty()) {  // the host knows how they move
+    meanwhile();
+    advance_step_by_step(*this, config_, loop, rules, most, stages);
+    return;
+  }
   const std::int64_t before = loop.steps;
   control_ = control_for(loop, rules, most);
   const auto body = [this] {
