@@ -7,6 +7,7 @@
 #include "solver/coverage.hpp"
 #include "solver/grid_problems.hpp"
 #include "solver/resample.hpp"
+#include "solver/solid_objects.hpp"
 
 namespace sandsim {
 namespace {
@@ -279,6 +280,7 @@ InitialState build_initial_state(const Scene& scene) {
   state.friction_coefficient = build_friction(scene, problems);
   build_hbar(scene, state, problems);
   problems.throw_if_any();
+  raise_solid_objects(scene, state);
   return state;
 }
 

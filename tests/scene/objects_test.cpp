@@ -33,7 +33,7 @@ objects:
         - {type: sphere, radius: 2 cm}
         - {type: cylinder, radius: 1 cm, height: 5 cm, rotation: {euler: [90 deg, 0 deg, 0 deg]}}
     motion: {type: path, file: data/path.csv, interpolation: cubic}
-    coupling: solid
+    coupling: displace
 )";
 
 }  // namespace
