@@ -9,9 +9,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PROGRAMS = ("sandsim", "test_cuda", "test_tiles")
-# The machine that runs a bundle has its own of these.
+# The machine that runs a bundle has its own of these, and its tools may need newer ones than are here.
 SYSTEM_LIBRARIES = ("linux-vdso", "ld-linux", "libc.so", "libm.so", "libdl.so", "libpthread.so", "librt.so",
-                    "libresolv.so")
+                    "libresolv.so", "libstdc++", "libgcc_s")
 # As in CMakeLists.txt: no contraction, so that the processor and the device give the same bits.
 HOST_FLAGS = ["-std=c++20", "-O3", "-DNDEBUG", "-fopenmp", "-ffp-contract=off", "-fno-math-errno", f"-I{ROOT}"]
 CUDA_FLAGS = ["-std=c++20", "-O3", "-DNDEBUG", "--fmad=false", "-lineinfo", "-Xptxas=-v", f"-I{ROOT}",

@@ -72,10 +72,10 @@ def write(check, build):
 
 
 def _head(build):
-    def first(*command):
+    def first(*command, environment=None):
         try:
             return subprocess.run(command, capture_output=True, text=True, check=True, timeout=30,
-                                  env=build.environment() if build else None).stdout.strip().splitlines()[0]
+                                  env=environment).stdout.strip().splitlines()[0]
         except (OSError, subprocess.SubprocessError, IndexError):
             return "unknown"
 
@@ -83,7 +83,7 @@ def _head(build):
     sandsim = build.program("sandsim") if build else None
     return {"date": datetime.now(timezone.utc).isoformat(timespec="seconds"), "card": card[0], "driver": card[-1],
             "commit": first("git", "describe", "--always", "--dirty", "--abbrev=12"),
-            "sandsim": first(str(sandsim), "--version") if sandsim else "not built",
+            "sandsim": first(str(sandsim), "--version", environment=build.environment()) if sandsim else "not built",
             "build": build.how if build else "none", "system": platform.platform()}
 
 
