@@ -76,6 +76,7 @@ class Bench {
   void measure_floors();
   void measure_steps();
   void measure_frames();
+  void measure_ensembles();
   void measure_starts();
   const BenchReport& report() const { return report_; }
 
@@ -158,6 +159,22 @@ void Bench::measure_frames() {
   }
 }
 
+/// The small runs of a sweep, where the device takes many in a launch.
+void Bench::measure_ensembles() {
+  if (!report_.device.make_ensemble) {
+    return;
+  }
+  constexpr int size = 64;
+  for (const int runs : {1, 1000}) {
+    for (const Scheme scheme : {Scheme::paper, Scheme::balanced}) {
+      const StepCase which{scheme, 2, effort_.precisions.front(), false};
+      report_.ensembles.push_back(
+          {which, size, runs, measure_ensemble(report_.device.make_ensemble, which, size, runs, effort_.few_repeats)});
+      show(print_ensemble, report_.ensembles.back());
+    }
+  }
+}
+
 void Bench::measure_starts() {
   for (const auto& [columns, rows] : {std::pair(160, 1), std::pair(512, 512)}) {
     report_.starts.push_back(
@@ -181,6 +198,7 @@ ExitCode bench_command(const BenchArguments& arguments, Console& console) {
     console.out << '\n';
   }
   bench.measure_frames();
+  bench.measure_ensembles();
   bench.measure_starts();
   if (arguments.json) {
     console.out << bench_json(bench.report());

@@ -50,6 +50,7 @@ BenchDevice cuda_bench_device() {
     return ArithmeticRate{summarise(rates.simple), summarise(rates.divided)};
   };
   device.make = make_cuda_backend;
+  device.make_ensemble = make_cuda_ensemble;
   return device;
 }
 

@@ -21,6 +21,7 @@ struct BenchDevice {
   std::function<Measurement(std::size_t array_bytes, int repeats)> copy_bandwidth;  // [B/s] read + written
   std::function<ArithmeticRate(Precision precision, int repeats)> arithmetic;
   MakeBackend make;
+  MakeEnsemble make_ensemble;  // empty where runs do not go side by side in a launch
 };
 
 BenchDevice cpu_bench_device(int threads);

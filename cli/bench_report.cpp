@@ -60,6 +60,13 @@ void add_frame(JsonWriter& json, const FrameRow& row) {
   json.member("overhead_seconds", row.cost.overhead()).end_object();
 }
 
+void add_ensemble(JsonWriter& json, const EnsembleRow& row) {
+  begin_case(json, row.which, row.size);
+  json.member("runs", row.runs);
+  add_measurement(json, "steps_per_second", row.steps_per_second);
+  json.end_object();
+}
+
 void add_start(JsonWriter& json, const StartRow& row) {
   json.begin_object().member("columns", row.columns).member("rows", row.rows);
   add_measurement(json, "seconds", row.seconds);
@@ -116,6 +123,12 @@ void print_frame(std::ostream& out, const FrameRow& row) {
                      format_duration(row.cost.step.median));
 }
 
+void print_ensemble(std::ostream& out, const EnsembleRow& row) {
+  out << fmt::format("{} runs of {} x {} cells side by side, {}, {}: {:.4g} steps/s ({:.4g} to {:.4g})\n", row.runs,
+                     row.size, row.size, scheme_name(row.which), precision_name(row.which.precision),
+                     row.steps_per_second.median, row.steps_per_second.least, row.steps_per_second.most);
+}
+
 void print_start(std::ostream& out, const StartRow& row) {
   out << fmt::format("solver start to first step, {} x {} cells: {} ({} to {})\n", row.columns, row.rows,
                      format_duration(row.seconds.median), format_duration(row.seconds.least),
@@ -144,6 +157,7 @@ std::string bench_json(const BenchReport& report) {
   };
   add_all("steps", report.steps, add_step);
   add_all("frames", report.frames, add_frame);
+  add_all("ensembles", report.ensembles, add_ensemble);
   add_all("start_to_first_step", report.starts, add_start);
   return json.end_array().end_object().text();
 }

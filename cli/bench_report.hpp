@@ -34,6 +34,13 @@ struct FrameRow {
   FrameCost cost;
 };
 
+struct EnsembleRow {
+  StepCase which;
+  int size = 0;
+  int runs = 0;
+  Measurement steps_per_second;  // of all runs together
+};
+
 struct StartRow {
   int columns = 0;
   int rows = 0;
@@ -49,6 +56,7 @@ struct BenchReport {
   std::map<Precision, ArithmeticRate> rates;
   std::vector<StepRow> steps;
   std::vector<FrameRow> frames;
+  std::vector<EnsembleRow> ensembles;
   std::vector<StartRow> starts;
 };
 
@@ -57,6 +65,7 @@ void print_rate(std::ostream& out, Precision precision, const ArithmeticRate& ra
 void print_columns(std::ostream& out, const BenchReport& report);
 void print_step(std::ostream& out, const StepRow& row);
 void print_frame(std::ostream& out, const FrameRow& row);
+void print_ensemble(std::ostream& out, const EnsembleRow& row);
 void print_start(std::ostream& out, const StartRow& row);
 
 std::string bench_json(const BenchReport& report);

@@ -121,6 +121,39 @@ FrameCost measure_frame(const MakeBackend& make, const StepCase& which, int size
   return {summarise(std::move(frames)), summarise(std::move(steps))};
 }
 
+Measurement measure_ensemble(const MakeEnsemble& make, const StepCase& which, int size, int runs, int repeats) {
+  constexpr int steps = 100;
+  const EnsembleMember member{bench_config(which, size, 1), bench_initial(which, size)};
+  const std::unique_ptr<Ensemble> ensemble = make(std::vector<EnsembleMember>(static_cast<std::size_t>(runs), member));
+  const StateArrays moving = moving_state(which.precision, size);
+  const std::vector<StepRules> rules(ensemble->size(), StepRules{.due = 1e9});
+  std::vector<StepLoop> loops(ensemble->size());
+  std::vector<double> rates;
+  for (int repeat = 0; repeat <= repeats; ++repeat) {
+    for (std::size_t k = 0; k < ensemble->size(); ++k) {
+      ensemble->member(k).set_state(moving);
+      loops[k] = StepLoop{};
+      loops[k].plan(rules[k], ensemble->member(k).stable_step());
+    }
+    const auto begin = Clock::now();
+    double taken = 0.0;
+    while (taken < static_cast<double>(steps) * runs) {
+      for (StepLoop& loop : loops) {
+        loop.halt = Halt::none;  // nobody asks for the cell of the smallest step
+      }
+      ensemble->advance(loops, rules, steps);
+      taken = 0.0;
+      for (const StepLoop& loop : loops) {
+        taken += static_cast<double>(loop.steps);
+      }
+    }
+    if (repeat > 0) {  // the first launch loads the kernel
+      rates.push_back(taken / seconds_since(begin));
+    }
+  }
+  return summarise(std::move(rates));
+}
+
 Measurement measure_start(Device device, int columns, int rows, int threads, int repeats) {
   const Scene scene = dam_break(columns, rows);
   RunOptions options;

@@ -3,14 +3,18 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "cli/bench_state.hpp"
 #include "cli/measurement.hpp"
 #include "solver/device.hpp"
+#include "solver/ensemble.hpp"
 
 namespace sandsim::cli {
 
 using MakeBackend = std::function<std::unique_ptr<Backend>(const BackendConfig&, const InitialState&)>;
+
+using MakeEnsemble = std::function<std::unique_ptr<Ensemble>(const std::vector<EnsembleMember>&)>;
 
 struct StepSpeed {
   Measurement cell_steps_per_second;
@@ -30,6 +34,9 @@ struct FrameCost {
   double overhead() const { return with_frame.median - step.median; }
 };
 FrameCost measure_frame(const MakeBackend& make, const StepCase& which, int size, int threads, int repeats);
+
+/// Steps of `runs` runs of size x size cells side by side, summed over the runs. [1/s]
+Measurement measure_ensemble(const MakeEnsemble& make, const StepCase& which, int size, int runs, int repeats);
 
 /// [s] from the start of a run to its first step, for a dam break on columns x rows cells.
 Measurement measure_start(Device device, int columns, int rows, int threads, int repeats);
