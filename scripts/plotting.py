@@ -59,19 +59,24 @@ def run(scene, output, settings=(), reuse=False, options=()):
     return json.loads(report.read_text())
 
 
-def shaded(surface, depth, spacing, largest, exaggeration=1.0):
-    """An RGB picture (y, x, 3) of a height field, lit from the north-west: sand coloured by its depth, ground grey.
-
-    Level ground has the colour of the colour bar. Sand below half a percent of the scale is drawn as ground.
-    """
+def lit(colours, surface, spacing, exaggeration=1.0):
+    """An RGB picture (y, x, 3) lit from the north-west by the slopes of a surface. Level ground keeps its colour."""
     rise_y, rise_x = np.gradient(exaggeration * surface, spacing)
     towards_light = np.cos(LIGHT) / np.sqrt(2)
     shade = (rise_x - rise_y) * towards_light / np.sin(LIGHT) + 1
     shade = shade / np.sqrt(1 + rise_x**2 + rise_y**2)
     shade = np.clip(1 + 0.6 * (shade - 1), 0.5, 1.3)[..., None]     # softer than Lambert's law
+    return np.where(shade < 1, colours * shade, colours + (1 - colours) * (shade - 1))
+
+
+def shaded(surface, depth, spacing, largest, exaggeration=1.0):
+    """A lit picture of a height field: sand coloured by its depth, ground grey.
+
+    Level ground has the colour of the colour bar. Sand below half a percent of the scale is drawn as ground.
+    """
     colours = SAND(depth / largest if largest > 0 else depth)[..., :3]
     colours[depth <= 0.005 * largest] = matplotlib.colors.to_rgb(BARE)
-    return np.where(shade < 1, colours * shade, colours + (1 - colours) * (shade - 1))
+    return lit(colours, surface, spacing, exaggeration)
 
 
 def show_field(axes, series, frame, largest=None, exaggeration=1.0):
