@@ -121,7 +121,7 @@ def main():
     other = "y" if options.axis == "x" else "x"
     below.set(xlabel=f"{options.axis} [cm]", ylabel=what.replace(" since", "\nsince"),
               title=f"Section at {other} = {100 * options.at:g} cm")
-    below.legend(ncols=2)
+    below.legend(ncols=2 if len(shots) > 3 else 1)
     figure.suptitle(options.title or results[0].title)
     save(figure, options.output or results[0].directory / "objects.png")
 
