@@ -119,7 +119,7 @@ def main():
     what = "depth of sand [cm]" if options.quantity == "depth" else "surface since the start [cm]"
     figure.colorbar(scale, ax=maps, label=what, shrink=0.8, aspect=25)
     other = "y" if options.axis == "x" else "x"
-    below.set(xlabel=f"{options.axis} [cm]", ylabel=what.replace(" since", "\nsince"),
+    below.set(xlabel=f"{options.axis} [cm]", ylabel="depth [cm]" if options.quantity == "depth" else "change [cm]",
               title=f"Section at {other} = {100 * options.at:g} cm")
     below.legend(ncols=2 if len(shots) > 3 else 1)
     figure.suptitle(options.title or results[0].title)
