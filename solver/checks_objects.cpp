@@ -224,29 +224,14 @@ void check_place(const Scene& scene, const KinematicObject& object, const std::s
   issues.push_back({key, "starts outside the grid", why + "; " + grid_text(grid), "", {"grid"}});
 }
 
-/// A solid object is part of the terrain.
-void check_solid(const KinematicObject& object, const std::string& key, Issues& issues) {
-  if (object.coupling != Coupling::solid) return;
-  if (std::holds_alternative<HalfSpaceShape>(object.shape)) {
+/// The top of an object that is part of the terrain becomes the ground.
+void check_terrain(const KinematicObject& object, const std::string& key, Issues& issues) {
+  if (object.is_terrain() && std::holds_alternative<HalfSpaceShape>(object.shape)) {
     issues.push_back({key + ".shape",
-                      "a solid object cannot be endless",
+                      "a solid object that stands still cannot be endless",
                       "its top becomes the ground",
                       "Take a box, or a terrain of type plane.",
                       {}});
-  }
-  if (!std::holds_alternative<FixedMotion>(object.motion)) {
-    issues.push_back({key + ".coupling",
-                      "a solid object cannot move",
-                      "it is part of the terrain",
-                      "Set \"motion: {type: fixed}\", or \"coupling: displace\".",
-                      {key + ".motion"}});
-  }
-  if (object.start > 0.0 || object.end) {
-    issues.push_back({key + ".coupling",
-                      "a solid object is there from the beginning to the end",
-                      "it is part of the terrain",
-                      "Remove start and end, or set \"coupling: displace\".",
-                      {key + ".start", key + ".end"}});
   }
 }
 
@@ -256,7 +241,7 @@ void check_object(const Scene& scene, const KinematicObject& object, const std::
   std::visit(MotionChecks{key + ".motion", issues}, object.motion);
   check_rotation(key + ".rotation", object.rotation, issues);
   check_times(scene, object, key, issues);
-  check_solid(object, key, issues);
+  check_terrain(object, key, issues);
   if (issues.size() == before && is_read(object.shape) && is_read(object.motion))
     check_place(scene, object, key, issues);
 }

@@ -15,7 +15,7 @@ constexpr double cells_a_step = 0.5;
 SharedObjects coupled_objects(const Scene& scene) {
   SharedObjects made;
   for (const KinematicObject& object : scene.objects) {
-    if (object.coupling != Coupling::solid) {
+    if (!object.is_terrain()) {
       made.push_back(std::make_shared<objects::Object>(object, scene.grid.spacing));
     }
   }

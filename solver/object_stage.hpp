@@ -11,7 +11,7 @@ namespace sandsim {
 
 using SharedObjects = std::vector<std::shared_ptr<const objects::Object>>;
 
-/// The objects of a scene that are coupled in every step: all but the solid ones, which are terrain.
+/// The objects of a scene that are coupled in every step: all but those that are terrain.
 SharedObjects coupled_objects(const Scene& scene);
 
 /// No object moves after this time; -infinite if none ever does. [s]

@@ -18,7 +18,7 @@ struct DistanceGrid;
 }  // namespace objects
 
 /// displace: the sand that an object overlaps is moved out of its way. drag: it takes on the object's velocity (section
-/// 5 of the paper). solid: no sand enters.
+/// 5 of the paper). solid: no sand stays inside; where it stands still it is terrain.
 enum class Coupling { displace, drag, solid };
 /// Of drag: how an object's vertical velocity moves sand sideways. eq. 23 per component, eq. 24 as printed, not at all.
 enum class VerticalTransfer { derived, printed, none };
@@ -174,6 +174,11 @@ struct KinematicObject {
   std::optional<double> sample_spacing;  // [m] of sampled shapes along a column of sand; absent: the grid's spacing
   double start = 0.0;                    // [s] the object is there from then on
   std::optional<double> end;             // [s] and until then; absent: to the end of the run
+
+  /// Solid and always in one place: part of the terrain, at no cost in the steps.
+  bool is_terrain() const {
+    return coupling == Coupling::solid && std::holds_alternative<FixedMotion>(motion) && start == 0.0 && !end;
+  }
 };
 
 }  // namespace sandsim

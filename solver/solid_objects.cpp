@@ -29,7 +29,7 @@ void raise(const Scene& scene, const objects::Object& object, InitialState& stat
 
 void raise_solid_objects(const Scene& scene, InitialState& state) {
   for (const KinematicObject& object : scene.objects) {
-    if (object.coupling == Coupling::solid) {
+    if (object.is_terrain()) {
       if (state.bed.empty()) {
         state.bed.assign(scene.grid.cell_count(), 0.0);
       }

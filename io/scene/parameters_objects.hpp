@@ -183,7 +183,7 @@ void describe(V& v, KinematicObject& o) {
           "How the object is turned at the start.");
   v.field("coupling", o.coupling, choice(),
           "displace: sand is moved out of its way. drag: sand takes on its velocity (section 5 of the paper). solid: "
-          "no sand enters.");
+          "no sand stays inside; standing still, it is part of the terrain.");
   v.field("vertical", o.vertical, choice().only(o.coupling == Coupling::drag, "coupling: drag"),
           "How vertical motion pushes sand sideways: eq. 23 per component, eq. 24 as printed, or not at all.");
   const bool is_sampled = std::holds_alternative<MeshShape>(o.shape) || std::holds_alternative<SdfShape>(o.shape);

@@ -7,7 +7,7 @@
 
 namespace sandsim::coupling {
 
-/// Couples the object of `job` with the state. Solid objects are part of the terrain: they are not coupled.
+/// Couples the object of `job` with the state.
 template <class R, class Block>
 SANDSIM_HD void couple(Block& block, const Job<R>& job, Coupling coupling) {
   const double near = tiles::block_sum<double>(block, job.patch.cells(), [&](double& lane, std::int64_t cell) {
@@ -21,10 +21,10 @@ SANDSIM_HD void couple(Block& block, const Job<R>& job, Coupling coupling) {
         *job.sums = CouplingSums{};
       }
     });
-  } else if (coupling == Coupling::displace) {
-    displace(block, job);
-  } else {
+  } else if (coupling == Coupling::drag) {
     drag(block, job);
+  } else {
+    displace(block, job);
   }
 }
 
@@ -43,6 +43,7 @@ Job<R> make_job(const Grid& grid, const objects::Object& object, const objects::
   job.lowest = box.low.z;
   job.shape = object.shape();
   job.before = before, job.after = after;
+  job.solid = object.coupling() == Coupling::solid;
   job.sample_spacing = object.sample_spacing();
   job.vertical = object.vertical();
   return job;

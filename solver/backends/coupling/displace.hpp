@@ -15,13 +15,13 @@ static_assert(taken_row < scratch_rows);
 
 /// How much of a column has to go. [m] An object that reaches out of the sand leaves nothing above its underside. Sand
 /// over a buried object stays there; only what its motion has newly overlapped goes. An object at rest moves no sand
-/// that is at rest.
+/// that is at rest. A solid object leaves no sand inside, whatever moves.
 template <class R>
 SANDSIM_HD double excess(const Job<R>& job, int cell, double h, bool sand_rests, const Contact& now) {
-  if (now.overlap <= 0.0 || (sand_rests && now.still())) {
+  if (now.overlap <= 0.0 || (sand_rests && now.still() && !job.solid)) {
     return 0.0;
   }
-  if (now.highest >= job.bed_at(cell) + h) {
+  if (job.solid || now.highest >= job.bed_at(cell) + h) {
     return physics::minimum(now.overlap, h);
   }
   return physics::clamp(now.overlap - job.contact(job.before, cell, h).overlap, 0.0, h);

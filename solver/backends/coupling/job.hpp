@@ -46,6 +46,7 @@ struct Job {
   FieldView<R> bed;  // not read where `flat`
   bool flat = false;
   bool one_d = false;
+  bool solid = false;                   // no sand stays inside
   double x0 = 0.0, y0 = 0.0, dx = 0.0;  // [m] corner of the grid, spacing
   Patch patch;
   objects::ShapeView shape;

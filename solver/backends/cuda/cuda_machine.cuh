@@ -79,6 +79,9 @@ class CudaMachine {
   }
   template <class T>
   void begin_copy(T* to, const T* from, std::size_t count) {
+    if (count == 0) {
+      return;
+    }
     check(cudaEventRecord(made_, stream_), "note what was made");
     check(cudaStreamWaitEvent(copies_, made_), "wait for what was made");
     check(cudaMemcpyAsync(to, from, count * sizeof(T), cudaMemcpyDeviceToHost, copies_), "copy a frame");
