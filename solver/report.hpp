@@ -34,7 +34,7 @@ struct StageReport {
 struct ObjectReport {
   std::string name;
   double overlapped_volume = 0.0;            // [m^3] of sand in the object, at the end
-  double displaced_volume = 0.0;             // [m^3] moved out of its way
+  double displaced_volume = 0.0;             // [m^3] moved out of its way; what runs back counts again
   std::array<double, 2> momentum{0.0, 0.0};  // [m^4/s] given to the sand
   double work = 0.0;                         // [m^5/s^2] likewise
   double deepest = 0.0;                      // [m] largest depth under the surface
