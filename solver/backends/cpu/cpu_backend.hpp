@@ -381,7 +381,9 @@ ObjectEffect CpuBackend<Rows, Make>::couple(std::size_t k, const objects::RigidS
   job.state = {h_[current_].row(0), hu_[current_].row(0), hv_[current_].row(0), h_[current_].view().stride};
   job.bed = bed_.view(), job.flat = Rows::flat;
   const coupling::CouplingSums sums = coupling_scratch_.couple(job, object.coupling());
-  refresh_rows(job.patch.j0, job.patch.j1);
+  if (sums.overlap > 0.0) {  // else nothing has changed
+    refresh_rows(job.patch.j0, job.patch.j1);
+  }
   return coupling::effect_of(sums, config_.grid.spacing);
 }
 
