@@ -1,7 +1,7 @@
+#include <algorithm>
 #include <cmath>
 
 #include "solver/backend_config.hpp"
-#include "solver/object_stage.hpp"
 #include "solver/simulation.hpp"
 
 namespace sandsim {
@@ -11,7 +11,8 @@ std::vector<std::string> stage_names(const Scene& scene) {
   if (!scene.sand.sources.empty()) {
     names.push_back("sources");
   }
-  if (!coupled_objects(scene).empty()) {
+  const auto is_coupled = [](const KinematicObject& object) { return !object.is_terrain(); };
+  if (std::any_of(scene.objects.begin(), scene.objects.end(), is_coupled)) {
     names.push_back("objects");
   }
   if (scene.output.maxima) {
