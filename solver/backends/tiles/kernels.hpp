@@ -67,6 +67,17 @@ struct RainKernel {
   }
 };
 
+/// cell(k) for the cells k = j nx + i of the grid, shared out among the threads of all blocks, by the thread at x of
+/// this block.
+template <class Block, class R, class Cell>
+SANDSIM_HD void each_cell_of(const Block& block, const TileFields<R>& fields, int x, const Cell& cell) {
+  const std::int64_t cells = static_cast<std::int64_t>(fields.nx) * fields.ny;
+  const std::int64_t stride = static_cast<std::int64_t>(block.width()) * block.blocks();
+  for (std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x; k < cells; k += stride) {
+    cell(k);
+  }
+}
+
 /// Takes the present state into the maxima.
 template <class Tile>
 struct MaximaKernel {
@@ -99,12 +110,9 @@ struct SpeedKernel {
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
     block.each([&](int x, int) {
-      const std::int64_t cells = static_cast<std::int64_t>(tile.fields.nx) * tile.fields.ny;
-      const std::int64_t stride = static_cast<std::int64_t>(block.width()) * block.blocks();
       R largest = 0;
-      for (std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x; k < cells; k += stride) {
-        largest = physics::maximum(largest, speed_of_cell(tile, current, k));
-      }
+      each_cell_of(block, tile.fields, x,
+                   [&](std::int64_t k) { largest = physics::maximum(largest, speed_of_cell(tile, current, k)); });
       block.raise(fastest, largest);
     });
   }
@@ -129,13 +137,11 @@ struct FindSpeedKernel {
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
     block.each([&](int x, int) {
-      const std::int64_t cells = static_cast<std::int64_t>(tile.fields.nx) * tile.fields.ny;
-      const std::int64_t stride = static_cast<std::int64_t>(block.width()) * block.blocks();
-      for (std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x; k < cells; k += stride) {
+      each_cell_of(block, tile.fields, x, [&](std::int64_t k) {
         if (SpeedKernel<Tile>::speed_of_cell(tile, current, k) == *fastest) {
           block.lower(cell, k);
         }
-      }
+      });
     });
   }
 };
@@ -156,14 +162,12 @@ struct FieldKernel {
     block.each([&](int x, int) {
       const auto& f = tile.fields;
       const StateView<R>& state = f.state(current);
-      const std::int64_t cells = static_cast<std::int64_t>(f.nx) * f.ny;
-      const std::int64_t stride = static_cast<std::int64_t>(block.width()) * block.blocks();
-      for (std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x; k < cells; k += stride) {
+      each_cell_of(block, f, x, [&](std::int64_t k) {
         const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
         const std::ptrdiff_t at = state.at(i, j);
         const R b = Tile::flat ? R(0) : f.bed.row(j)[i];
         values[k] = cell_value(field, state.h[at], state.hu[at], state.hv[at], b, f.dry_depth);
-      }
+      });
     });
   }
 };
