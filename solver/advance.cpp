@@ -34,7 +34,7 @@ void advance_step_by_step(Backend& backend, const BackendConfig& config, StepLoo
     }
     if (!config.objects.empty()) {
       StageTimer timer(*stages.objects, 0.0);
-      couple_objects(backend, config.objects, loop, *stages.object_reports);
+      couple_objects(backend, config.objects, loop, *stages.object_reports, outcome);
     }
     loop.finish(rules, outcome);
     if (config.maxima) {

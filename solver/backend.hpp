@@ -30,7 +30,18 @@ struct ObjectEffect {
   double displaced_volume = 0.0;             // [m^3]
   std::array<double, 2> momentum{0.0, 0.0};  // [m^4/s] given to the sand, per density
   double work = 0.0;                         // [m^5/s^2] likewise
-  double deepest = 0.0;                      // [m] of the object under the surface
+  double deepest = 0.0;                      // [m] of the object under the highest sand beside it
+  bool changed = false;                      // some sand, or what covers it
+};
+
+/// An object in a step: where it was and where it is, in the scene.
+struct ObjectStep {
+  std::size_t object = 0;  // of BackendConfig::objects
+  objects::RigidState before, after;
+  bool has_left = false;  // at the end of the step
+
+  /// It does not move, neither before nor after.
+  bool is_still() const;
 };
 
 /// What a backend has to know besides the initial state.
@@ -47,11 +58,9 @@ struct BackendConfig {
   int threads = 0;             // 0: as many as the machine has; results do not depend on it
   int tile_columns = 0;        // 0: chosen by the backend; results do not depend on it
   int block_rows = 0;          // likewise
-};
 
-/// Depth and momentum: ny * nx, x fastest, in the run's precision.
-struct StateArrays {
-  FieldValues depth, momentum_x, momentum_y;
+  /// Some object is bed for the flow where it covers sand (coupling `displace` or `solid`).
+  bool has_covering_objects() const;
 };
 
 /// Sums over the grid (in an order that does not depend on threads).
@@ -120,8 +129,8 @@ class Backend {
   virtual StepOutcome step(double dt) = 0;
   /// Adds rate * dt to the depth of each cell of the rain; returns the volume that the cells gained. [m^3]
   virtual double rain(const SandRain& rain, double dt) = 0;
-  /// Lets object k of the configuration, which has gone from `before` to `after`, act on the present state.
-  virtual ObjectEffect couple(std::size_t k, const objects::RigidState& before, const objects::RigidState& after) = 0;
+  /// Lets one object of a step act on the present state; `all` are the objects of that step, itself included.
+  virtual ObjectEffect couple(const ObjectStep& one, const std::vector<ObjectStep>& all) = 0;
 
   virtual GridStatistics statistics() const = 0;
   /// One output field by its name in series.h5.

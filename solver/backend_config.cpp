@@ -20,11 +20,13 @@ constexpr double arrival_fraction = 1e-3;
 double expected_bytes(const BackendConfig& config, const InitialState& initial) {
   const double word = config.numerics.precision == Precision::float32 ? 4.0 : 8.0;
   const double cells = static_cast<double>(config.grid.cell_count());
-  double words = 6.0 + (initial.bed.empty() ? 0.0 : 1.0) + (config.maxima ? 3.0 : 0.0);
+  double words =
+      6.0 + (initial.bed.empty() && !config.has_covering_objects() ? 0.0 : 1.0) + (config.maxima ? 3.0 : 0.0);
   for (const auto* map : {&initial.friction_coefficient, &initial.hbar_scale, &initial.hbar_cap}) {
     words += map->size() > 1 ? 1.0 : 0.0;
   }
-  return cells * words * word;
+  const double covers = config.has_covering_objects() ? word + sizeof(double) : 0.0;
+  return cells * (words * word + covers);
 }
 
 }  // namespace

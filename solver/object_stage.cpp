@@ -12,6 +12,18 @@ constexpr double cells_a_step = 0.5;
 
 }  // namespace
 
+bool BackendConfig::has_covering_objects() const {
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const auto& object) { return object->coupling() != Coupling::drag; });
+}
+
+bool ObjectStep::is_still() const {
+  const auto at_rest = [](const objects::RigidState& state) {
+    return objects::length(state.velocity) == 0.0 && objects::length(state.angular_velocity) == 0.0;
+  };
+  return at_rest(before) && at_rest(after) && before.pose == after.pose;
+}
+
 SharedObjects coupled_objects(const Scene& scene) {
   SharedObjects made;
   for (const KinematicObject& object : scene.objects) {
@@ -22,10 +34,10 @@ SharedObjects coupled_objects(const Scene& scene) {
   return made;
 }
 
-double objects_move_until(const SharedObjects& objects) {
+double objects_change_until(const SharedObjects& objects) {
   double until = -HUGE_VAL;
   for (const auto& object : objects) {
-    until = std::max(until, object->moves_until());
+    until = std::max(until, object->changes_until());
   }
   return until;
 }
@@ -33,7 +45,7 @@ double objects_move_until(const SharedObjects& objects) {
 double object_step(const SharedObjects& objects, double time, const BackendConfig& config) {
   double step = HUGE_VAL;
   for (const auto& object : objects) {
-    if (time >= object->moves_until()) {
+    if (time >= object->changes_until()) {
       continue;
     }
     // As long as a fall over one cell: a motion that begins within it is met before it has gone far.
@@ -52,19 +64,25 @@ double object_step(const SharedObjects& objects, double time, const BackendConfi
 }
 
 void couple_objects(Backend& backend, const SharedObjects& objects, const StepLoop& loop,
-                    std::vector<ObjectReport>& reports) {
+                    std::vector<ObjectReport>& reports, StepOutcome& outcome) {
   const double now = loop.time + loop.step;
+  std::vector<ObjectStep> steps;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const objects::Object& object = *objects[k];
-    if (!object.is_present(now)) {
-      continue;
+    const bool was_there = object.is_present(loop.time), is_there = object.is_present(now);
+    if (was_there || is_there) {  // one that has just appeared has not moved yet
+      const objects::RigidState after = object.at(now);
+      steps.push_back({k, was_there ? object.at(loop.time) : after, after, !is_there});
+    }
+  }
+  for (const ObjectStep& step : steps) {
+    if (step.has_left && objects[step.object]->coupling() == Coupling::drag) {
+      continue;  // it leaves nothing behind that would have to be uncovered
     }
     const auto begin = std::chrono::steady_clock::now();
-    // An object that has just appeared has not moved yet.
-    const objects::RigidState after = object.at(now);
-    const objects::RigidState before = object.is_present(loop.time) ? object.at(loop.time) : after;
-    const ObjectEffect effect = backend.couple(k, before, after);
-    ObjectReport& report = reports[k];
+    const ObjectEffect effect = backend.couple(step, steps);
+    outcome.changed = outcome.changed || effect.changed;
+    ObjectReport& report = reports[step.object];
     report.overlapped_volume = effect.overlapped_volume;
     report.displaced_volume += effect.displaced_volume;
     report.momentum[0] += effect.momentum[0], report.momentum[1] += effect.momentum[1];

@@ -14,16 +14,16 @@ using SharedObjects = std::vector<std::shared_ptr<const objects::Object>>;
 /// The objects of a scene that are coupled in every step: all but those that are terrain.
 SharedObjects coupled_objects(const Scene& scene);
 
-/// No object moves after this time; -infinite if none ever does. [s]
-double objects_move_until(const SharedObjects& objects);
+/// No object moves, comes or goes after this time; -infinite if none ever does. [s]
+double objects_change_until(const SharedObjects& objects);
 
 /// How long a step from `time` may be: no present object moves further than half a cell in it, none appears in its
 /// middle, and it is short enough for objects that are about to move to be seen. Infinite without moving objects. [s]
 double object_step(const SharedObjects& objects, double time, const BackendConfig& config);
 
-/// Couples the objects that are there at the end of the step that begins at loop.time and takes loop.step; adds what
-/// happened to the reports, one an object.
+/// Couples the objects that are there at the end of the step that begins at loop.time and takes loop.step, and those
+/// that have left in it; adds what happened to the reports, one an object, and to the step's outcome.
 void couple_objects(Backend& backend, const SharedObjects& objects, const StepLoop& loop,
-                    std::vector<ObjectReport>& reports);
+                    std::vector<ObjectReport>& reports, StepOutcome& outcome);
 
 }  // namespace sandsim

@@ -40,7 +40,7 @@ StepRules step_rules(const Scene& scene, const BackendConfig& config) {
   rules.minimum_step = time.minimum_step.value_or(1e-9 * time.end);
   rules.rain_step = HUGE_VAL;
   rules.rain_end = -HUGE_VAL;
-  rules.objects_end = objects_move_until(config.objects);
+  rules.objects_end = objects_change_until(config.objects);
   for (const SandRain& rain : config.rains) {
     // A step may neither pile up more than a tenth of a spacing nor outlast a fall over one spacing: sand on a dry
     // bed has no wave speed yet that would bound the step.
@@ -134,7 +134,7 @@ StageReport* Run::stage(const std::string& name) {
 }
 
 void Run::resume(const Checkpoint& from) {
-  backend_->set_state({from.depth, from.momentum_x, from.momentum_y});
+  backend_->set_state(from.state);
   if (scene_.output.maxima) {
     backend_->set_maxima({from.max_depth, from.max_speed, from.arrival_time});
   }
@@ -177,9 +177,7 @@ Checkpoint Run::checkpoint() const {
   to.frame_step_min = loop_.extremes.frame_min, to.frame_step_max = loop_.extremes.frame_max;
   to.smallest_step = smallest_step(loop_.extremes).value_or(Incident{});
   to.stop_time = loop_.last_motion;
-  StateArrays state = backend_->state();
-  to.depth = std::move(state.depth);
-  to.momentum_x = std::move(state.momentum_x), to.momentum_y = std::move(state.momentum_y);
+  to.state = backend_->state();
   if (scene_.output.maxima) {
     FinalFields maxima = backend_->maxima();
     to.max_depth = std::move(maxima.max_depth), to.max_speed = std::move(maxima.max_speed);

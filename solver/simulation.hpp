@@ -28,7 +28,7 @@ struct Checkpoint {
   double dt_min = 0.0, dt_max = 0.0;  // [s] over the run
   Incident smallest_step;
   double stop_time = 0.0;  // [s]
-  FieldValues depth, momentum_x, momentum_y;
+  StateArrays state;
   FieldValues max_depth, max_speed, arrival_time;  // empty unless output.maxima
 };
 

@@ -14,6 +14,18 @@ namespace sandsim {
 /// ny * nx values, x fastest, in the run's precision.
 using FieldValues = std::variant<std::vector<float>, std::vector<double>>;
 
+/// What a run goes on from: the sand that flows, and where objects cover sand, the bed as the flow sees it and what is
+/// buried. ny * nx, x fastest, in the run's precision.
+struct StateArrays {
+  FieldValues depth, momentum_x, momentum_y;  // [m], [m^2/s]
+  FieldValues bed{};                          // [m] empty without covering objects
+  FieldValues buried{};                       // [m] likewise; always float64
+
+  bool has_covers() const {
+    return std::visit([](const auto& values) { return !values.empty(); }, bed);
+  }
+};
+
 /// The numbers of one frame (names as in series.h5).
 struct FrameStatistics {
   double time = 0.0;              // [s]
@@ -52,7 +64,7 @@ struct Frame {
 
 /// Fields known once, at the start.
 struct StaticFields {
-  FieldValues bed;  // [m] ny * nx; empty where the terrain is flat
+  FieldValues bed{};  // [m] ny * nx; empty where the terrain is flat
 };
 
 /// Fields known once, at the end.

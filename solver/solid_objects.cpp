@@ -1,12 +1,10 @@
 #include "solver/solid_objects.hpp"
 
+#include "solver/backends/coupling/job.hpp"
 #include "solver/objects/object.hpp"
 
 namespace sandsim {
 namespace {
-
-/// A gap under an obstacle of less than this fraction of the spacing is none.
-constexpr double least_gap = 0.1;
 
 void raise(const Scene& scene, const objects::Object& object, InitialState& state) {
   const Grid& grid = scene.grid;
@@ -17,7 +15,7 @@ void raise(const Scene& scene, const objects::Object& object, InitialState& stat
     for (int i = 0; i < grid.cells[0]; ++i, ++cell) {
       const objects::Intervals inside = objects::inside_column(
           shape, place.pose, grid.x(i), grid.y(j), {state.bed[cell], objects::endless}, object.sample_spacing());
-      if (inside.count > 0 && inside.items[0].from - state.bed[cell] < least_gap * grid.spacing) {
+      if (inside.count > 0 && inside.items[0].from - state.bed[cell] < coupling::least_gap * grid.spacing) {
         state.bed[cell] = inside.items[0].to;
         state.depth[cell] = 0.0;
       }

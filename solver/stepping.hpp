@@ -28,7 +28,7 @@ struct StepRules {
   double minimum_step = 0.0;  // [s] an adaptive step below it is a collapse
   double rain_step = 0.0;     // [s] bound as long as some source is or will be open
   double rain_end = 0.0;      // [s] no source is open from here on
-  double objects_end = 0.0;   // [s] no object moves from here on
+  double objects_end = 0.0;   // [s] no object moves, comes or goes from here on
 
   SANDSIM_HD bool rains_from(double time) const { return time < rain_end; }
 };

@@ -21,7 +21,7 @@ using hdf5::Handle;
 using hdf5::require;
 
 /// Format of the file; raised whenever its content changes its meaning.
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 /// The numbers of a checkpoint under their names; one list serves writing and reading.
 template <class AnyCheckpoint, class Visitor>
@@ -48,9 +48,11 @@ void visit_numbers(AnyCheckpoint& checkpoint, Visitor&& visit) {
 
 template <class AnyCheckpoint, class Visitor>
 void visit_fields(AnyCheckpoint& checkpoint, Visitor&& visit) {
-  visit("depth", checkpoint.depth);
-  visit("momentum_x", checkpoint.momentum_x);
-  visit("momentum_y", checkpoint.momentum_y);
+  visit("depth", checkpoint.state.depth);
+  visit("momentum_x", checkpoint.state.momentum_x);
+  visit("momentum_y", checkpoint.state.momentum_y);
+  visit("bed", checkpoint.state.bed);
+  visit("buried", checkpoint.state.buried);
   visit("max_depth", checkpoint.max_depth);
   visit("max_speed", checkpoint.max_speed);
   visit("arrival_time", checkpoint.arrival_time);
@@ -101,7 +103,7 @@ void write_content(const fs::path& path, const Checkpoint& checkpoint, const std
   file.close("close the file");
 }
 
-/// The maxima are there only if the scene asks for them.
+/// The maxima are there only if the scene asks for them, the bed and what is buried only with objects that cover sand.
 void read_field(hid_t file, const std::string& name, FieldValues& field) {
   if (!hdf5::exists(file, name)) {
     if (name == "depth" || name.starts_with("momentum")) throw hdf5::Failure("it has no " + name);

@@ -3,18 +3,30 @@
 
 #include <cmath>
 
+#include "solver/backends/cover.hpp"
 #include "solver/physics/velocity.hpp"
 
 namespace sandsim {
 
-/// The fields of series.h5 that a state gives.
-enum class CellField : int { depth, momentum_x, momentum_y, velocity_x, velocity_y, surface, bed };
+/// The fields of series.h5 that a state gives, and the depth and the bed as the flow has them.
+enum class CellField : int {
+  depth,
+  momentum_x,
+  momentum_y,
+  velocity_x,
+  velocity_y,
+  surface,
+  bed,
+  flowing_depth,
+  flow_bed
+};
 
+/// Cell (i, j), of whose sand h flows above `bed`.
 template <class R>
-SANDSIM_HD R cell_value(CellField field, R h, R hu, R hv, R b, R dry_depth) {
+SANDSIM_HD R cell_value(CellField field, const Cover<R>& cover, int i, int j, R h, R hu, R hv, R bed, R dry_depth) {
   switch (field) {
     case CellField::depth:
-      return h;
+      return cover.depth(i, j, h);
     case CellField::momentum_x:
       return hu;
     case CellField::momentum_y:
@@ -24,21 +36,26 @@ SANDSIM_HD R cell_value(CellField field, R h, R hu, R hv, R b, R dry_depth) {
     case CellField::velocity_y:
       return physics::quotient_velocity(hv, h, dry_depth);
     case CellField::surface:
-      return h + b;
+      return cover.surface(i, j, h, bed);
     case CellField::bed:
+      return cover.terrain(i, j, bed);
+    case CellField::flowing_depth:
+      return h;
+    case CellField::flow_bed:
       break;
   }
-  return b;
+  return bed;
 }
 
-/// Takes a cell's state at `time` into its largest depth and speed and its time of arrival (NaN: not yet).
+/// Takes a cell's state at `time` into its largest depth and speed and its time of arrival (NaN: not yet). Of its depth
+/// of sand, h flows.
 template <class R>
-SANDSIM_HD void take_maxima(R h, R hu, R hv, R time, R arrival_depth, R dry_depth, R& max_depth, R& max_speed,
+SANDSIM_HD void take_maxima(R depth, R h, R hu, R hv, R time, R arrival_depth, R dry_depth, R& max_depth, R& max_speed,
                             R& arrival) {
   const R speed = physics::quotient_velocity(physics::length(hu, hv), h, dry_depth);
-  max_depth = physics::maximum(max_depth, h);
+  max_depth = physics::maximum(max_depth, depth);
   max_speed = physics::maximum(max_speed, speed);
-  arrival = arrival != arrival && h > arrival_depth ? time : arrival;
+  arrival = arrival != arrival && depth > arrival_depth ? time : arrival;
 }
 
 }  // namespace sandsim

@@ -12,7 +12,7 @@ namespace sandsim {
 
 /// What the variants of a scheme leave out.
 struct Variant {
-  bool flat = false;     // no bed
+  bool flat = false;     // no bed, nor objects that are bed
   bool uniform = false;  // no maps of the material
   bool one_d = false;    // a single row
 };
@@ -20,7 +20,8 @@ struct Variant {
 inline Variant variant_of(const BackendConfig& config, const InitialState& initial) {
   const bool uniform =
       initial.friction_coefficient.size() == 1 && initial.hbar_scale.size() == 1 && initial.hbar_cap.size() == 1;
-  return {initial.bed.empty(), uniform, config.grid.one_dimensional()};
+  const bool flat = initial.bed.empty() && !config.has_covering_objects();
+  return {flat, uniform, config.grid.one_dimensional()};
 }
 
 /// What fits all of them; single rows do not go together with others.

@@ -13,6 +13,8 @@ CellField cell_field(const std::string& name) {
       {"velocity_y", CellField::velocity_y},
       {"surface", CellField::surface},
       {"bed", CellField::bed},
+      {"flowing_depth", CellField::flowing_depth},
+      {"flow_bed", CellField::flow_bed},
   };
   for (const auto& [known, field] : fields) {
     if (name == known) {

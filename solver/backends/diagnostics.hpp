@@ -25,6 +25,7 @@ struct Diagnosed {
   physics::StepParameters<R> parameters;
   FieldView<R> h, hu, hv, bed, mu;
   physics::Material<R> material;
+  Cover<R> cover;
   bool flat, uniform;
 
   R velocity(R momentum, R depth) const { return physics::quotient_velocity(momentum, depth, parameters.dry_depth); }
@@ -53,14 +54,30 @@ FieldValues named_field(const Diagnosed<R>& d, const std::string& name) {
   const CellField field = cell_field(name);
   const R dry = d.parameters.dry_depth;
   return gather(d, [&](int i, int j) {
-    return cell_value(field, d.h.row(j)[i], d.hu.row(j)[i], d.hv.row(j)[i], d.b(i, j), dry);
+    return cell_value(field, d.cover, i, j, d.h.row(j)[i], d.hu.row(j)[i], d.hv.row(j)[i], d.b(i, j), dry);
   });
+}
+
+/// All that a run needs to go on from this state.
+template <class R>
+StateArrays state_of(const Diagnosed<R>& d) {
+  StateArrays state{
+      named_field(d, "flowing_depth"), named_field(d, "momentum_x"), named_field(d, "momentum_y"), {}, {}};
+  if (!d.cover.none()) {
+    state.bed = named_field(d, "flow_bed");
+    std::vector<double> buried;
+    for (int j = 0; j < d.ny; ++j) {
+      buried.insert(buried.end(), d.cover.buried.row(j), d.cover.buried.row(j) + d.nx);
+    }
+    state.buried = std::move(buried);
+  }
+  return state;
 }
 
 template <class R>
 ProbeSample probe(const Diagnosed<R>& d, int i, int j) {
   const R h = d.h.row(j)[i];
-  return {static_cast<double>(h), static_cast<double>(d.velocity(d.hu.row(j)[i], h)),
+  return {static_cast<double>(d.cover.depth(i, j, h)), static_cast<double>(d.velocity(d.hu.row(j)[i], h)),
           static_cast<double>(d.velocity(d.hv.row(j)[i], h))};
 }
 
@@ -76,8 +93,10 @@ GridStatistics grid_statistics(const Diagnosed<R>& d, int threads) {
 #pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
   for (int j = 0; j < d.ny; ++j) {
     const R *h = d.h.row(j), *hu = d.hu.row(j), *hv = d.hv.row(j);
-    rows[static_cast<std::size_t>(j)] = sum_in_lanes<CellSums>(
-        static_cast<std::size_t>(d.nx), [&](CellSums& lane, std::size_t i) { lane.add_cell(h[i], hu[i], hv[i]); });
+    rows[static_cast<std::size_t>(j)] =
+        sum_in_lanes<CellSums>(static_cast<std::size_t>(d.nx), [&](CellSums& lane, std::size_t i) {
+          lane.add_cell(h[i], hu[i], hv[i], d.cover.buried_at(static_cast<int>(i), j));
+        });
   }
   return grid_statistics(sum_in_lanes<CellSums>(rows.size(), [&](CellSums& lane, std::size_t j) { lane += rows[j]; }),
                          d.spacing);
@@ -147,7 +166,8 @@ class Maxima {
       R *depth = depth_.data() + first, *speed = speed_.data() + first, *arrival = arrival_.data() + first;
       const R *h = d.h.row(j), *hu = d.hu.row(j), *hv = d.hv.row(j);
       for (int i = 0; i < d.nx; ++i) {
-        take_maxima(h[i], hu[i], hv[i], now, arrival_depth_, d.parameters.dry_depth, depth[i], speed[i], arrival[i]);
+        take_maxima(d.cover.depth(i, j, h[i]), h[i], hu[i], hv[i], now, arrival_depth_, d.parameters.dry_depth,
+                    depth[i], speed[i], arrival[i]);
       }
     }
   }

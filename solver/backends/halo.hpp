@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "solver/backends/ghost.hpp"
+#include "solver/backends/cover.hpp"
 #include "solver/field.hpp"
 
 namespace sandsim {
@@ -91,6 +91,13 @@ struct Halo {
       });
     }
   }
+  /// Halo of a bed that objects cover: covered like the source, else as the ground's.
+  template <class R>
+  void fill_covered_bed(const FieldView<R>& bed, const FieldView<R>& ground) const {
+    for (int k = 0; k < ring_cells(nx, ny); ++k) {
+      renew_ring_bed(bed, ground, sides, nx, ny, k);
+    }
+  }
 };
 
 /// A map of the grid (x fastest) with its halo; a single value as one repeated row.
@@ -108,11 +115,11 @@ Field<R> stored_map(const std::vector<double>& values, const Halo& sides) {
   sides.fill_map(field.view());
   return field;
 }
-/// The same for the bed, which may be empty: flat.
+/// The same for the bed, which may be empty: flat. With `in_full` no row is repeated.
 template <class R>
-Field<R> stored_bed(const std::vector<double>& values, const Halo& sides) {
+Field<R> stored_bed(const std::vector<double>& values, const Halo& sides, bool in_full) {
   if (values.empty()) {
-    return Field<R>(sides.nx, sides.ny, R(0), true);
+    return Field<R>(sides.nx, sides.ny, R(0), !in_full);
   }
   Field<R> field = stored_map<R>(values, sides);
   if (values.size() > 1) {

@@ -20,11 +20,12 @@ struct CellSums {
   double max_speed = 0.0;  // [m/s]
   std::int64_t moving_cells = 0;
 
+  /// `buried` of the cell's sand lies under an object. [m]
   template <class R>
-  SANDSIM_HD void add_cell(R h_cell, R hu_cell, R hv_cell) {
+  SANDSIM_HD void add_cell(R h_cell, R hu_cell, R hv_cell, double buried) {
     const double h = static_cast<double>(h_cell);
     const double hu = static_cast<double>(hu_cell), hv = static_cast<double>(hv_cell);
-    depth += h;
+    depth += h + buried;
     if (hu != 0.0 || hv != 0.0) {
       const double square = hu * hu + hv * hv;
       moving_cells += 1;

@@ -179,7 +179,8 @@ Object::Object(const KinematicObject& object, double grid_spacing)
       sample_spacing_(object.sample_spacing.value_or(grid_spacing)),
       start_(object.start),
       end_(object.end.value_or(std::numeric_limits<double>::infinity())),
-      moves_until_(std::min(end_, objects::moves_until(motion_))),
+      changes_until_(std::isfinite(end_) ? end_
+                                         : std::max(objects::moves_until(motion_), start_ > 0.0 ? start_ : -HUGE_VAL)),
       reach_(reach(shape_.bounds({}))) {}
 
 double Object::top_speed(const RigidState& state) const {

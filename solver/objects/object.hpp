@@ -34,8 +34,8 @@ class Object {
   /// The object is there at this time [s]: from its start on, until just before its end.
   bool is_present(double time) const { return time >= start_ && time < end_; }
   double start() const { return start_; }  // [s]
-  /// It does not move after this time; -infinite if it never does. [s]
-  double moves_until() const { return moves_until_; }
+  /// It neither moves nor comes nor goes after this time; -infinite if it is always there and at rest. [s]
+  double changes_until() const { return changes_until_; }
   RigidState at(double time) const { return objects::at(motion_, time); }
 
   /// The shape in its own frame: a point of the scene is to_local(state.pose, point) there. The view lives as long as
@@ -55,7 +55,7 @@ class Object {
   double sample_spacing_;  // [m]
   double start_;           // [s]
   double end_;             // [s]
-  double moves_until_;     // [s]
+  double changes_until_;   // [s]
   double reach_;           // [m] of the shape's points from the origin of its frame
 };
 

@@ -11,6 +11,8 @@ struct Vec3 {
   double x = 0.0;
   double y = 0.0;
   double z = 0.0;
+
+  bool operator==(const Vec3&) const = default;
 };
 
 SANDSIM_HD Vec3 operator+(const Vec3& a, const Vec3& b) {
@@ -42,6 +44,7 @@ struct Quaternion {
   double y = 0.0;
   double z = 0.0;
 
+  bool operator==(const Quaternion&) const = default;
   SANDSIM_HD Vec3 vector() const { return {x, y, z}; }
 };
 
@@ -62,6 +65,8 @@ SANDSIM_HD Vec3 rotate(const Quaternion& q, const Vec3& v) {
 struct Pose {
   Vec3 position;  // [m]
   Quaternion orientation;
+
+  bool operator==(const Pose&) const = default;
 };
 
 SANDSIM_HD Vec3 to_outer(const Pose& pose, const Vec3& point) {

@@ -33,6 +33,8 @@ using Scalar = typename ScalarOf<R>::type;
 template <class R>
 inline constexpr R largest_number = std::numeric_limits<R>::max();
 template <class R>
+inline constexpr R epsilon = std::numeric_limits<R>::epsilon();
+template <class R>
 inline constexpr R infinity = std::numeric_limits<R>::infinity();
 
 /// The result of a comparison: bool, or one a lane.

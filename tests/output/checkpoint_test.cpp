@@ -28,9 +28,9 @@ Checkpoint some_checkpoint() {
   checkpoint.smallest_step = {7, -1, 0.7, 0.001, "thin layer"};
   checkpoint.stop_time = 2.5;
   // Negative zero, a subnormal, NaN with a payload: all bits count.
-  checkpoint.depth = std::vector<float>{0.1f, -0.0f, 1e-45f, std::nanf("77")};
-  checkpoint.momentum_x = std::vector<float>(4, 0.25f);
-  checkpoint.momentum_y = std::vector<float>(4, -0.25f);
+  checkpoint.state.depth = std::vector<float>{0.1f, -0.0f, 1e-45f, std::nanf("77")};
+  checkpoint.state.momentum_x = std::vector<float>(4, 0.25f);
+  checkpoint.state.momentum_y = std::vector<float>(4, -0.25f);
   return checkpoint;
 }
 
@@ -63,9 +63,10 @@ TEST_CASE("A checkpoint comes back bit for bit") {
   CHECK(read.smallest_step.j == -1);
   CHECK(read.smallest_step.cause == "thin layer");
   CHECK(read.stop_time == 2.5);
-  CHECK(same_bits(read.depth, std::get<std::vector<float>>(written.depth)));
-  CHECK(same_bits(read.momentum_x, std::get<std::vector<float>>(written.momentum_x)));
-  CHECK(same_bits(read.momentum_y, std::get<std::vector<float>>(written.momentum_y)));
+  CHECK(same_bits(read.state.depth, std::get<std::vector<float>>(written.state.depth)));
+  CHECK(same_bits(read.state.momentum_x, std::get<std::vector<float>>(written.state.momentum_x)));
+  CHECK(same_bits(read.state.momentum_y, std::get<std::vector<float>>(written.state.momentum_y)));
+  CHECK_FALSE(read.state.has_covers());
   CHECK(same_bits(read.max_depth, std::vector<float>{}));
   CHECK_FALSE(fs::exists(directory / "checkpoint.h5.tmp"));
 }
@@ -75,14 +76,17 @@ TEST_CASE("A checkpoint in double precision of more than one chunk comes back wi
   std::vector<double> values(200000);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 / (1.0 + static_cast<double>(i));
   Checkpoint written = some_checkpoint();
-  written.depth = written.momentum_x = written.momentum_y = values;
+  written.state.depth = written.state.momentum_x = written.state.momentum_y = values;
+  written.state.bed = written.state.buried = values;
   written.max_depth = written.max_speed = written.arrival_time = values;
 
   write_checkpoint(directory / "checkpoint.h5", some_checkpoint(), "hash");
   write_checkpoint(directory / "checkpoint.h5", written, "hash");
   const Checkpoint read = read_checkpoint(directory / "checkpoint.h5", "hash");
 
-  CHECK(same_bits(read.depth, values));
+  CHECK(same_bits(read.state.depth, values));
+  CHECK(same_bits(read.state.bed, values));
+  CHECK(same_bits(read.state.buried, values));
   CHECK(same_bits(read.arrival_time, values));
 }
 
@@ -90,7 +94,7 @@ TEST_CASE("A checkpoint that does not belong here is an input error that says wh
   const TemporaryDirectory directory;
   const fs::path path = directory / "checkpoint.h5";
   Checkpoint checkpoint = some_checkpoint();
-  checkpoint.depth = std::vector<float>(10000, 1.0f);
+  checkpoint.state.depth = std::vector<float>(10000, 1.0f);
   write_checkpoint(path, checkpoint, "hash");
   std::string reason = "damaged";
   std::string hash = "hash";

@@ -111,6 +111,12 @@ TEST_CASE("A resumed run gives the bits of an uninterrupted one") {
     Scene scene = collapse(40, 9, precision);
     scene.output.maxima = true;
     scene.sand.sources = {{{0.8, 0.1}, 0.05, 0.002, 0.05, 0.6}};
+    KinematicObject plough;  // it covers sand when the run is interrupted
+    plough.name = "plough";
+    plough.shape = SphereShape{0.1, {}};
+    plough.position = {0.1, 0.1, 0.12};
+    plough.motion = ConstantMotion{{0.2, 0.0, 0.0}, {}};
+    scene.objects = {plough};
     MemorySink whole, first, second;
     const RunReport expected = run(scene, {}, whole);
 
@@ -125,6 +131,8 @@ TEST_CASE("A resumed run gives the bits of an uninterrupted one") {
     CHECK(stopped.exit_code == ExitCode::interrupted);
     CHECK(first.ended == 0);
     REQUIRE(kept);
+    const auto& buried = std::get<std::vector<double>>(kept->state.buried);
+    CHECK(std::any_of(buried.begin(), buried.end(), [](double depth) { return depth > 0.0; }));
 
     RunOptions rest;
     rest.resume = &*kept;

@@ -11,8 +11,6 @@ struct Contact {
   double lowest = 0.0;     // [m] height of the object's lowest point in the column; +endless if it is not there
   double highest = 0.0;    // [m] of its highest
   objects::Vec3 velocity;  // [m/s] mean over the overlap, 0 without
-
-  SANDSIM_HD bool still() const { return velocity.x == 0.0 && velocity.y == 0.0 && velocity.z == 0.0; }
 };
 
 /// The column stands at (x, y), its sand from `bed` to `surface` [m]. What of the object is below the bed does not

@@ -1,30 +1,79 @@
-// `displace`: the sand that an object overlaps is moved out of its way, conservatively. The overlapped part of a column
-// goes to the nearest columns that the object leaves free, with the velocity of the object (eq. 20 lets the overlapped
-// part move at that velocity); the rest of the column stays as it is. Columns between hand it on from level to level,
-// a level being the number of cells to the nearest free one (after Sumner, O'Brien, Hodgins 1999).
+// `displace` and `solid`: the sand that an object overlaps is moved out of its way, conservatively, and the object is
+// bed for the flow: sand piles up against it and runs over it, and none runs into it. What lies between the object and
+// the ground is held until the object leaves. The sand to be moved goes to the nearest columns that no object covers,
+// with the velocity of the object (eq. 20 lets the overlapped part move at that velocity). Columns between hand it on
+// from level to level, a level being the number of cells to the nearest free one (after Sumner, O'Brien, Hodgins 1999).
 #pragma once
 
-#include "solver/backends/coupling/job.hpp"
+#include "solver/backends/coupling/column.hpp"
 #include "solver/backends/tiles/block_functions.hpp"
 
 namespace sandsim::coupling {
 
 /// Which scratch rows hold what.
-enum DisplaceRow : int { amount_row, velocity_x_row, velocity_y_row, out_row, taken_row = out_row + 4 };
-static_assert(taken_row < scratch_rows);
+enum DisplaceRow : int {
+  amount_row,
+  velocity_x_row,
+  velocity_y_row,
+  out_row,
+  taken_row = out_row + 4,
+  above_row,
+  below_row,
+  top_row,
+  deep_row
+};
+static_assert(deep_row < scratch_rows);
 
-/// How much of a column has to go. [m] An object that reaches out of the sand leaves nothing above its underside. Sand
-/// over a buried object stays there; only what its motion has newly overlapped goes. An object at rest moves no sand
-/// that is at rest. A solid object leaves no sand inside, whatever moves.
+/// A bed is no higher than this many spacings above the ground: some shapes have no end.
+inline constexpr double highest_bed = 1e4;
+
+/// The largest of the heights that lanes have seen.
+struct Highest {
+  double height = -objects::endless;
+
+  SANDSIM_HD Highest& operator+=(const Highest& other) {
+    height = physics::maximum(height, other.height);
+    return *this;
+  }
+};
+
+/// Up to where sand lies in the columns of the patch that no object covers. [m]
+template <class R, class Block>
+SANDSIM_HD double highest_sand(Block& block, const Job<R>& job) {
+  return tiles::block_sum<Highest>(block, job.patch.cells(),
+                                   [&](Highest& lane, std::int64_t k) {
+                                     const int cell = static_cast<int>(k);
+                                     const Column<R> column = column_at(job, job.i(cell), job.j(cell));
+                                     if (!column.covered) {
+                                       lane += Highest{column.top()};
+                                     }
+                                   })
+      .height;
+}
+
+/// What becomes of a column: which objects cover it, and what sand has to go. An object at rest leaves sand at rest as
+/// it is, unless it is solid.
 template <class R>
-SANDSIM_HD double excess(const Job<R>& job, int cell, double h, bool sand_rests, const Contact& now) {
-  if (now.overlap <= 0.0 || (sand_rests && now.still() && !job.solid)) {
-    return 0.0;
+SANDSIM_HD void look_at_column(const Job<R>& job, int cell, double highest) {
+  const int i = job.i(cell), j = job.j(cell);
+  const Column<R> column = column_at(job, i, j);
+  const Hull hull = hull_over(job, cell, column, contact_level(column, highest));
+  const bool left_alone = !column.covered && hull.still && !hull.solid && column.rests();
+  const bool covers = hull.lowest < hull.highest && !left_alone;
+  const Parting<R> parting = part(column, hull);
+  const double taken = covers ? parting.taken : 0.0;
+  job.levels[cell] = covers ? -1 : 0;
+  job.row(above_row)[cell] = static_cast<double>(parting.above);
+  job.row(below_row)[cell] = parting.below;
+  job.row(top_row)[cell] = physics::minimum(hull.highest, column.ground + highest_bed * job.dx);
+  job.row(taken_row)[cell] = taken;
+  job.row(amount_row)[cell] = taken;
+  job.row(velocity_x_row)[cell] = covers ? hull.velocity.x : 0.0;
+  job.row(velocity_y_row)[cell] = covers && !job.one_d ? hull.velocity.y : 0.0;
+  job.row(deep_row)[cell] = covers ? physics::maximum(0.0, highest - hull.lowest) : 0.0;
+  for (int side = 0; side < 4; ++side) {
+    job.row(out_row + side)[cell] = 0.0;
   }
-  if (job.solid || now.highest >= job.bed_at(cell) + h) {
-    return physics::minimum(now.overlap, h);
-  }
-  return physics::clamp(now.overlap - job.contact(job.before, cell, h).overlap, 0.0, h);
 }
 
 /// Share of a column's sand for the neighbour at `side`, one level lower: ahead of the object's motion where there is
@@ -47,32 +96,6 @@ SANDSIM_HD double share_of(const Job<R>& job, int cell, int side, double vx, dou
     return 0.0;
   }
   return sum > 0.0 ? ahead[side] / sum : 1.0 / count;
-}
-
-/// Finds what has to go and which columns are free. Returns whether anything has to go.
-template <class R, class Block>
-SANDSIM_HD bool begin_displacing(Block& block, const Job<R>& job) {
-  constexpr int unknown = -1;
-  each_cell(block, job, [&](int cell) {
-    const std::ptrdiff_t at = job.state.at(job.i(cell), job.j(cell));
-    const R h = job.state.h[at];
-    const double depth = static_cast<double>(h), surface = job.bed_at(cell) + depth;
-    const Contact now = job.contact(job.after, cell, depth);
-    const bool rests = job.state.hu[at] == R(0) && job.state.hv[at] == R(0);
-    const R left = static_cast<R>(depth - excess(job, cell, depth, rests, now));
-    const double taken = depth - static_cast<double>(left);  // exactly what the column loses
-    job.row(taken_row)[cell] = taken;
-    job.row(amount_row)[cell] = taken;
-    job.row(velocity_x_row)[cell] = now.velocity.x;
-    job.row(velocity_y_row)[cell] = job.one_d ? 0.0 : now.velocity.y;
-    for (int side = 0; side < 4; ++side) {
-      job.row(out_row + side)[cell] = 0.0;
-    }
-    job.levels[cell] = now.lowest < surface + least_gap * job.dx ? unknown : 0;
-  });
-  const double all = tiles::block_sum<double>(
-      block, job.patch.cells(), [&](double& lane, std::int64_t cell) { lane += job.row(taken_row)[cell]; });
-  return all > 0.0;
 }
 
 /// Numbers the covered columns by their distance from a free one. Returns the largest number.
@@ -133,52 +156,95 @@ SANDSIM_HD void hand_on(Block& block, const Job<R>& job, int level) {
   });
 }
 
-/// Takes the sand out of the covered columns and puts it into the free ones.
+/// A column's new sand, and its bed.
+template <class R>
+SANDSIM_HD void settle_column(const Job<R>& job, int cell) {
+  const int i = job.i(cell), j = job.j(cell);
+  const std::ptrdiff_t at = job.state.at(i, j);
+  R &h = job.state.h[at], &hu = job.state.hu[at], &hv = job.state.hv[at];
+  R& bed = job.bed.row(j)[i];
+  double& buried = job.cover.buried.row(j)[i];
+  const double amount = job.row(amount_row)[cell];
+  if (job.levels[cell] != 0) {
+    // Sand that no free column can be found for stays where it is.
+    const double taken = job.levels[cell] > 0 ? job.row(taken_row)[cell] : 0.0;
+    const R above = static_cast<R>(job.row(above_row)[cell]);
+    buried = job.row(below_row)[cell] - taken;
+    if (above != h) {  // what is held has no momentum
+      hu = hu * (above / h), hv = hv * (above / h);
+      h = above;
+    }
+    bed = static_cast<R>(job.row(top_row)[cell]);
+    return;
+  }
+  bed = job.cover.ground.row(j)[i];
+  if (buried != 0.0 || amount > 0.0) {
+    h = static_cast<R>(static_cast<double>(h) + buried + amount);
+    buried = 0.0;
+  }
+  if (amount > 0.0) {
+    hu = static_cast<R>(static_cast<double>(hu) + amount * job.row(velocity_x_row)[cell]);
+    hv = static_cast<R>(static_cast<double>(hv) + amount * job.row(velocity_y_row)[cell]);
+  }
+}
+
+/// What a column adds to the sums, before it is settled.
+template <class R>
+SANDSIM_HD CouplingSums sums_of(const Job<R>& job, int cell) {
+  const int i = job.i(cell), j = job.j(cell);
+  const Column<R> column = column_at(job, i, j);
+  CouplingSums sums;
+  sums.overlap = job.row(taken_row)[cell];
+  sums.deepest = job.row(deep_row)[cell];
+  const bool covers = job.levels[cell] != 0;
+  const double taken = job.levels[cell] > 0 ? job.row(taken_row)[cell] : 0.0;
+  if (taken > 0.0) {
+    const double vx = job.row(velocity_x_row)[cell], vy = job.row(velocity_y_row)[cell];
+    const bool moved = !column.covered && column.flowing() > 0.0;
+    const double u = moved ? static_cast<double>(column.hu) / column.flowing() : 0.0;
+    const double v = moved ? static_cast<double>(column.hv) / column.flowing() : 0.0;
+    sums.displaced = taken;
+    sums.momentum_x = taken * (vx - u), sums.momentum_y = taken * (vy - v);
+    sums.work = sums.momentum_x * vx + sums.momentum_y * vy;
+  }
+  const bool same = covers ? column.covered && taken == 0.0 && column.bed == static_cast<R>(job.row(top_row)[cell])
+                           : !column.covered && !(job.row(amount_row)[cell] > 0.0);
+  sums.changed = same ? 0.0 : 1.0;
+  return sums;
+}
+
+/// The bed around the grid, for a patch beside its sides.
 template <class R, class Block>
-SANDSIM_HD void move_sand(Block& block, const Job<R>& job) {
-  each_cell(block, job, [&](int cell) {
-    const std::ptrdiff_t at = job.state.at(job.i(cell), job.j(cell));
-    R &h = job.state.h[at], &hu = job.state.hu[at], &hv = job.state.hv[at];
-    const double taken = job.row(taken_row)[cell], amount = job.row(amount_row)[cell];
-    if (job.levels[cell] > 0 && taken > 0.0) {
-      // What stays is held between the object and the ground. The flow does not know of the object's load: without this
-      // the sand beside it would squeeze the rest out underneath.
-      h = static_cast<R>(static_cast<double>(h) - taken);
-      hu = hv = R(0);
-    } else if (job.levels[cell] == 0 && amount > 0.0) {
-      h = static_cast<R>(static_cast<double>(h) + amount);
-      hu = static_cast<R>(static_cast<double>(hu) + amount * job.row(velocity_x_row)[cell]);
-      hv = static_cast<R>(static_cast<double>(hv) + amount * job.row(velocity_y_row)[cell]);
+SANDSIM_HD void renew_ring(Block& block, const Job<R>& job) {
+  block.each([&](int x, int strip) {
+    const int threads = block.width() * block.strips();
+    for (int k = strip * block.width() + x; k < ring_cells(job.nx, job.ny); k += threads) {
+      renew_ring_bed(job.bed, job.cover.ground, job.sides, job.nx, job.ny, k);
     }
   });
 }
 
-/// Moves the overlapped sand of the patch. Writes the sums.
+/// Moves the overlapped sand of the patch and makes the covered columns bed. Writes the sums.
 template <class R, class Block>
 SANDSIM_HD void displace(Block& block, const Job<R>& job) {
-  const bool any = begin_displacing(block, job);
-  if (any) {
+  const double highest = highest_sand(block, job);
+  each_cell(block, job, [&](int cell) { look_at_column(job, cell, highest); });
+  const double all = tiles::block_sum<double>(
+      block, job.patch.cells(), [&](double& lane, std::int64_t cell) { lane += job.row(taken_row)[cell]; });
+  if (all > 0.0) {
     for (int level = find_levels(block, job); level > 0; --level) {
       hand_on(block, job, level);
     }
   }
-  const CouplingSums sums =
-      tiles::block_sum<CouplingSums>(block, job.patch.cells(), [&](CouplingSums& lane, std::int64_t k) {
-        const int cell = static_cast<int>(k);
-        const std::ptrdiff_t at = job.state.at(job.i(cell), job.j(cell));
-        const double h = static_cast<double>(job.state.h[at]);
-        const Contact now = job.contact(job.after, cell, h);
-        lane.overlap += now.overlap;
-        lane.deepest = physics::maximum(lane.deepest, job.bed_at(cell) + h - now.lowest);
-        const double taken = any && job.levels[cell] > 0 ? job.row(taken_row)[cell] : 0.0;
-        if (taken > 0.0) {
-          const double x = taken * (now.velocity.x - static_cast<double>(job.state.hu[at]) / h);
-          const double y = taken * (now.velocity.y - static_cast<double>(job.state.hv[at]) / h);
-          lane += CouplingSums{0.0, taken, x, y, x * now.velocity.x + y * now.velocity.y, 0.0};
-        }
-      });
-  if (any) {
-    move_sand(block, job);
+  const CouplingSums sums = tiles::block_sum<CouplingSums>(
+      block, job.patch.cells(),
+      [&](CouplingSums& lane, std::int64_t cell) { lane += sums_of(job, static_cast<int>(cell)); });
+  if (sums.changed > 0.0) {
+    each_cell(block, job, [&](int cell) { settle_column(job, cell); });
+    const Patch& p = job.patch;
+    if (p.i0 < halo || p.i1 > job.nx - halo || p.j0 < halo || p.j1 > job.ny - halo) {
+      renew_ring(block, job);
+    }
   }
   block.each([&](int x, int strip) {
     if (x == 0 && strip == 0) {

@@ -32,7 +32,8 @@ SANDSIM_HD void drag(Block& block, const Job<R>& job) {
     const double h = static_cast<double>(job.state.h[at]);
     const double u = h > 0.0 ? static_cast<double>(job.state.hu[at]) / h : 0.0;
     const double v = h > 0.0 ? static_cast<double>(job.state.hv[at]) / h : 0.0;
-    const Contact now = job.contact(job.after, cell, h);
+    const double bed = job.bed_at(cell);
+    const Contact now = job.contact(job.body, cell, bed, bed + h);
     const double part = now.overlap > 0.0 ? now.overlap / h : 0.0;
     job.row(overlap_row)[cell] = now.overlap;
     job.row(mean_x_row)[cell] = u + part * (now.velocity.x - u);
@@ -56,10 +57,17 @@ SANDSIM_HD void drag(Block& block, const Job<R>& job) {
         const double hu = static_cast<double>(job.state.hu[at]), hv = static_cast<double>(job.state.hv[at]);
         double x, y;
         new_momentum(cell, h, hu, hv, x, y);
-        const Contact now = job.contact(job.after, cell, h);
+        const double bed = job.bed_at(cell);
+        const Contact now = job.contact(job.body, cell, bed, bed + h);
         const double dx = x - hu, dy = y - hv;
-        lane += CouplingSums{
-            now.overlap, 0.0, dx, dy, dx * now.velocity.x + dy * now.velocity.y, job.bed_at(cell) + h - now.lowest};
+        lane +=
+            CouplingSums{now.overlap,
+                         0.0,
+                         dx,
+                         dy,
+                         dx * now.velocity.x + dy * now.velocity.y,
+                         bed + h - now.lowest,
+                         static_cast<R>(x) != job.state.hu[at] || static_cast<R>(y) != job.state.hv[at] ? 1.0 : 0.0};
       });
   each_cell(block, job, [&](int cell) {
     const std::ptrdiff_t at = job.state.at(job.i(cell), job.j(cell));

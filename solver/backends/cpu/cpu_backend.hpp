@@ -13,6 +13,7 @@
 
 #include "solver/backend.hpp"
 #include "solver/backends/coupling/host_scratch.hpp"
+#include "solver/backends/coupling/prepare.hpp"
 #include "solver/backends/cpu/rows.hpp"
 #include "solver/backends/diagnostics.hpp"
 #include "solver/backends/halo.hpp"
@@ -50,7 +51,7 @@ class CpuBackend final : public Backend {
   Capture end_capture() override { return std::move(capture_); }
   StepOutcome step(double dt) override;
   double rain(const SandRain& rain, double dt) override;
-  ObjectEffect couple(std::size_t k, const objects::RigidState& before, const objects::RigidState& after) override;
+  ObjectEffect couple(const ObjectStep& one, const std::vector<ObjectStep>& all) override;
 
   GridStatistics statistics() const override { return grid_statistics(diagnosed(), threads_); }
   FieldValues field(const std::string& name) const override { return named_field(diagnosed(), name); }
@@ -101,6 +102,8 @@ class CpuBackend final : public Backend {
   R fastest_ = 0;  // [m/s] bounds the next step
   std::array<Field<R>, 2> h_, hu_, hv_;
   Field<R> bed_, mu_, alpha_, cap_;
+  Field<R> ground_;       // the bed without objects; only with covering objects
+  Field<double> buried_;  // likewise
   physics::Material<R> material_{};
   std::vector<Scratch<R>> scratch_;               // one a thread
   std::array<std::vector<double>, 4> side_mass_;  // x_min, x_max, y_min, y_max; empty where the side is closed
@@ -152,7 +155,12 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
 template <class Rows, class Make>
 void CpuBackend<Rows, Make>::take_material(const InitialState& initial) {
   if constexpr (!Rows::flat) {
-    bed_ = stored_bed<R>(initial.bed, halo_);
+    const bool covers = config_.has_covering_objects();
+    bed_ = stored_bed<R>(initial.bed, halo_, covers);
+    if (covers) {
+      ground_ = stored_bed<R>(initial.bed, halo_, true);
+      buried_ = Field<double>(nx(), ny(), 0.0);
+    }
   }
   if constexpr (Rows::uniform) {
     material_ = {static_cast<R>(initial.friction_coefficient.front()), static_cast<R>(initial.hbar_scale.front()),
@@ -170,9 +178,10 @@ std::int64_t CpuBackend<Rows, Make>::memory_bytes() const {
   for (const auto* pair : {&h_, &hu_, &hv_}) {
     bytes += (*pair)[0].bytes() + (*pair)[1].bytes();
   }
-  for (const Field<R>* field : {&bed_, &mu_, &alpha_, &cap_}) {
+  for (const Field<R>* field : {&bed_, &mu_, &alpha_, &cap_, &ground_}) {
     bytes += field->bytes();
   }
+  bytes += buried_.bytes();
   for (const Scratch<R>& scratch : scratch_) {
     bytes += scratch.bytes();
   }
@@ -217,14 +226,15 @@ Diagnosed<R_of<Rows>> CpuBackend<Rows, Make>::diagnosed() const {
           bed_.view(),
           mu_.view(),
           material_,
+          {ground_.view(), buried_.view()},
           Rows::flat,
           Rows::uniform};
 }
 
 template <class Rows, class Make>
 void CpuBackend<Rows, Make>::set_state(const StateArrays& state) {
-  const auto load = [&](const FieldValues& values, Field<R>& to) {
-    const auto& from = std::get<std::vector<R>>(values);
+  const auto load = [&]<class T>(const FieldValues& values, Field<T>& to) {
+    const auto& from = std::get<std::vector<T>>(values);
     for (int j = 0; j < ny(); ++j) {
       std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(j) * nx(), nx(), to.row(j));
     }
@@ -232,6 +242,11 @@ void CpuBackend<Rows, Make>::set_state(const StateArrays& state) {
   load(state.depth, h_[current_]);
   load(state.momentum_x, hu_[current_]);
   load(state.momentum_y, hv_[current_]);
+  if (state.has_covers()) {
+    load(state.bed, bed_);
+    halo_.fill_covered_bed(bed_.view(), ground_.view());
+    load(state.buried, buried_);
+  }
   for (int j = 0; j < ny(); ++j) {
     halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
   }
@@ -241,7 +256,7 @@ void CpuBackend<Rows, Make>::set_state(const StateArrays& state) {
 
 template <class Rows, class Make>
 StateArrays CpuBackend<Rows, Make>::state() const {
-  return {field("depth"), field("momentum_x"), field("momentum_y")};
+  return state_of(diagnosed());
 }
 
 template <class Rows, class Make>
@@ -371,17 +386,22 @@ void CpuBackend<Rows, Make>::refresh_rows(int j0, int j1) {
 }
 
 template <class Rows, class Make>
-ObjectEffect CpuBackend<Rows, Make>::couple(std::size_t k, const objects::RigidState& before,
-                                            const objects::RigidState& after) {
-  const objects::Object& object = *config_.objects[k];
-  auto job = coupling::make_job<R>(config_.grid, object, before, after);
+ObjectEffect CpuBackend<Rows, Make>::couple(const ObjectStep& one, const std::vector<ObjectStep>& all) {
+  auto job = coupling::make_job<R>(config_, one);
   if (job.patch.empty()) {
     return {};
   }
+  const Coupling coupling = config_.objects[one.object]->coupling();
   job.state = {h_[current_].row(0), hu_[current_].row(0), hv_[current_].row(0), h_[current_].view().stride};
   job.bed = bed_.view(), job.flat = Rows::flat;
-  const coupling::CouplingSums sums = coupling_scratch_.couple(job, object.coupling());
-  if (sums.overlap > 0.0) {  // else nothing has changed
+  std::vector<coupling::Body> others;
+  if (coupling != Coupling::drag) {
+    job.cover = {ground_.view(), buried_.view()};
+    others = coupling::bodies_beside(config_, all, one.object, job.patch);
+    job.others = others.data(), job.other_count = static_cast<int>(others.size());
+  }
+  const coupling::CouplingSums sums = coupling_scratch_.couple(job, coupling);
+  if (sums.changed > 0.0) {
     refresh_rows(job.patch.j0, job.patch.j1);
   }
   return coupling::effect_of(sums, config_.grid.spacing);

@@ -172,9 +172,11 @@ SANDSIM_HD void take_cell_maxima(const Tile& tile, const Control<typename Tile::
   const StateView<R>& state = f.state(control.current);
   const std::int64_t cells = static_cast<std::int64_t>(f.nx) * f.ny;
   for (std::int64_t k = first; k < cells; k += stride) {
-    const std::ptrdiff_t at = state.at(static_cast<int>(k % f.nx), static_cast<int>(k / f.nx));
-    take_maxima(state.h[at], state.hu[at], state.hv[at], static_cast<R>(control.loop.time), maxima.arrival_depth,
-                f.dry_depth, maxima.depth[k], maxima.speed[k], maxima.arrival[k]);
+    const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
+    const std::ptrdiff_t at = state.at(i, j);
+    take_maxima(f.cover.depth(i, j, state.h[at]), state.h[at], state.hu[at], state.hv[at],
+                static_cast<R>(control.loop.time), maxima.arrival_depth, f.dry_depth, maxima.depth[k], maxima.speed[k],
+                maxima.arrival[k]);
   }
 }
 

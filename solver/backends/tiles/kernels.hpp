@@ -166,7 +166,7 @@ struct FieldKernel {
         const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
         const std::ptrdiff_t at = state.at(i, j);
         const R b = Tile::flat ? R(0) : f.bed.row(j)[i];
-        values[k] = cell_value(field, state.h[at], state.hu[at], state.hv[at], b, f.dry_depth);
+        values[k] = cell_value(field, f.cover, i, j, state.h[at], state.hu[at], state.hv[at], b, f.dry_depth);
       });
     });
   }
@@ -190,10 +190,10 @@ struct ProbeKernel {
       const std::int64_t k = static_cast<std::int64_t>(block.x()) * block.width() + x;
       if (k < count) {
         const StateView<R>& state = tile.fields.state(current);
-        const int nx = tile.fields.nx;
-        const std::ptrdiff_t at = state.at(static_cast<int>(cells[k] % nx), static_cast<int>(cells[k] / nx));
+        const int i = static_cast<int>(cells[k] % tile.fields.nx), j = static_cast<int>(cells[k] / tile.fields.nx);
+        const std::ptrdiff_t at = state.at(i, j);
         const R h = state.h[at], dry = tile.fields.dry_depth;
-        values[3 * k] = static_cast<double>(h);
+        values[3 * k] = static_cast<double>(tile.fields.cover.depth(i, j, h));
         values[3 * k + 1] = static_cast<double>(physics::quotient_velocity(state.hu[at], h, dry));
         values[3 * k + 2] = static_cast<double>(physics::quotient_velocity(state.hv[at], h, dry));
       }
@@ -216,8 +216,9 @@ struct RowSumsKernel {
     const StateView<R>& state = tile.fields.state(current);
     const int j = block.x();
     const CellSums sums = block_sum<CellSums>(block, tile.fields.nx, [&](CellSums& lane, std::int64_t i) {
-      const std::ptrdiff_t at = state.at(static_cast<int>(i), j);
-      lane.add_cell(state.h[at], state.hu[at], state.hv[at]);
+      const int column = static_cast<int>(i);
+      const std::ptrdiff_t at = state.at(column, j);
+      lane.add_cell(state.h[at], state.hu[at], state.hv[at], tile.fields.cover.buried_at(column, j));
     });
     block.each([&](int x, int) {
       if (x == 0) {

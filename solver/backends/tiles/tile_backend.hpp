@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/backend.hpp"
+#include "solver/backends/coupling/prepare.hpp"
 #include "solver/backends/diagnostics.hpp"
 #include "solver/backends/halo.hpp"
 #include "solver/backends/tiles/couple_kernel.hpp"
@@ -40,7 +41,7 @@ class TileBackend final : public Backend {
   double bytes_per_step() const override;
 
   void set_state(const StateArrays& state) override;
-  StateArrays state() const override { return {field("depth"), field("momentum_x"), field("momentum_y")}; }
+  StateArrays state() const override;
 
   double stable_step() const override { return static_cast<double>(tile_.stable_step(control_.fastest)); }
   SpeedLimit speed_limit() const override;
@@ -54,7 +55,7 @@ class TileBackend final : public Backend {
   Capture end_capture() override;
   StepOutcome step(double dt) override;
   double rain(const SandRain& rain, double dt) override;
-  ObjectEffect couple(std::size_t k, const objects::RigidState& before, const objects::RigidState& after) override;
+  ObjectEffect couple(const ObjectStep& one, const std::vector<ObjectStep>& all) override;
 
   GridStatistics statistics() const override;
   FieldValues field(const std::string& name) const override;
@@ -91,6 +92,7 @@ class TileBackend final : public Backend {
   void lay_out_states();
   void take_rains();
   void take_objects();
+  void take_others(coupling::Job<R>& job, const ObjectStep& one, const std::vector<ObjectStep>& all);
   void launch_step(bool rain_follows);
   void launch_maxima();
   void put_control() { machine_->upload(control_array_.data(), &control_, 1); }
@@ -98,6 +100,7 @@ class TileBackend final : public Backend {
   void launch_sums() const;
   void launch_field(const std::string& name, R* values) const;
   R find_fastest() const;
+  void put_bed(const std::vector<R>& values);
   /// ask(Diagnosed) of a copy of the state on the host: for the rare questions.
   template <class Ask>
   auto inspect(const Ask& ask) const;
@@ -111,9 +114,11 @@ class TileBackend final : public Backend {
   BlockShape shape_;
   GridShape grid_;
   std::size_t bytes_ = 0;
-  Field<R> bed_, mu_, alpha_, cap_;  // as the host has them
+  Field<R> bed_, mu_, alpha_, cap_;  // as the host has them; the bed without objects
   Array<R> bed_copy_, mu_copy_, alpha_copy_, cap_copy_;
-  Array<R> states_;  // h, hu, hv of either state
+  Array<R> ground_copy_;  // the bed without objects; only with covering objects
+  Array<double> buried_;  // likewise
+  Array<R> states_;       // h, hu, hv of either state
   Array<double> side_mass_;
   Array<std::int64_t> rain_cells_;
   Array<RainView> rains_;
@@ -129,6 +134,7 @@ class TileBackend final : public Backend {
   Array<double> coupling_scratch_;
   Array<int> coupling_levels_;
   Array<coupling::CouplingSums> coupling_sums_;
+  Array<coupling::Body> other_bodies_;
   Array<R> maxima_array_;
   Control<R> control_;  // the host's copy; the machine's between put and get
   Array<Control<R>> control_array_;

@@ -30,11 +30,27 @@ void TileBackend<Machine, Tile>::take_objects() {
   coupling_sums_ = allocate<coupling::CouplingSums>(1);
 }
 
+/// The objects beside the one that is coupled, with their shapes on the machine.
 template <class Machine, class Tile>
-ObjectEffect TileBackend<Machine, Tile>::couple(std::size_t k, const objects::RigidState& before,
-                                                const objects::RigidState& after) {
-  const objects::Object& object = *config_.objects[k];
-  auto job = coupling::make_job<R>(config_.grid, object, before, after);
+void TileBackend<Machine, Tile>::take_others(coupling::Job<R>& job, const ObjectStep& one,
+                                             const std::vector<ObjectStep>& all) {
+  job.cover = tile_.fields.cover;
+  std::vector<coupling::Body> others = coupling::bodies_beside(config_, all, one.object, job.patch);
+  for (coupling::Body& body : others) {
+    body.shape = shapes_[body.object].view;
+  }
+  if (!others.empty()) {
+    if (other_bodies_.size() < others.size()) {
+      other_bodies_ = allocate<coupling::Body>(others.size());
+    }
+    machine_->upload(other_bodies_.data(), others.data(), others.size());
+  }
+  job.others = other_bodies_.data(), job.other_count = static_cast<int>(others.size());
+}
+
+template <class Machine, class Tile>
+ObjectEffect TileBackend<Machine, Tile>::couple(const ObjectStep& one, const std::vector<ObjectStep>& all) {
+  auto job = coupling::make_job<R>(config_, one);
   if (job.patch.empty()) {
     return {};
   }
@@ -43,12 +59,16 @@ ObjectEffect TileBackend<Machine, Tile>::couple(std::size_t k, const objects::Ri
     coupling_levels_ = allocate<int>(patch_cells);
     coupling_scratch_ = allocate<double>(patch_cells * coupling::scratch_rows);
   }
+  const Coupling coupling = config_.objects[one.object]->coupling();
   job.state = tile_.fields.state(control_.current);
   job.bed = tile_.fields.bed, job.flat = Tile::flat;
-  job.shape = shapes_[k].view;
+  job.body.shape = shapes_[one.object].view;
+  if (coupling != Coupling::drag) {
+    take_others(job, one, all);
+  }
   job.scratch = coupling_scratch_.data(), job.levels = coupling_levels_.data(), job.sums = coupling_sums_.data();
   machine_->upload(found_speed_.data(), &control_.fastest, 1);
-  machine_->launch(CoupleKernel<Tile>{tile_, job, object.coupling(), found_speed_.data()}, {1, 1},
+  machine_->launch(CoupleKernel<Tile>{tile_, job, coupling, found_speed_.data()}, {1, 1},
                    {CoupleKernel<Tile>::most_threads, 1}, block_sum_bytes);
   machine_->download(&control_.fastest, found_speed_.data(), 1);
   coupling::CouplingSums sums;

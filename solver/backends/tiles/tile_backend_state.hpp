@@ -17,7 +17,34 @@ void TileBackend<Machine, Tile>::set_state(const StateArrays& state) {
   put(state.depth, view.h);
   put(state.momentum_x, view.hu);
   put(state.momentum_y, view.hv);
+  if (state.has_covers()) {
+    put_bed(std::get<std::vector<R>>(state.bed));
+    machine_->upload(buried_.data(), std::get<std::vector<double>>(state.buried).data(), cells());
+  }
   control_.fastest = find_fastest();
+}
+
+/// The bed as the flow sees it, where objects cover sand.
+template <class Machine, class Tile>
+void TileBackend<Machine, Tile>::put_bed(const std::vector<R>& values) {
+  Field<R> bed(nx(), ny(), R(0));
+  for (int j = 0; j < ny(); ++j) {
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(j) * nx(), nx(), bed.row(j));
+  }
+  halo_.fill_covered_bed(bed.view(), bed_.view());
+  machine_->upload(bed_copy_.data(), bed.data(), bed.size());
+}
+
+template <class Machine, class Tile>
+StateArrays TileBackend<Machine, Tile>::state() const {
+  StateArrays state{field("flowing_depth"), field("momentum_x"), field("momentum_y"), {}, {}};
+  if (config_.has_covering_objects()) {
+    state.bed = field("flow_bed");
+    std::vector<double> buried(cells());
+    machine_->download(buried.data(), buried_.data(), cells());
+    state.buried = std::move(buried);
+  }
+  return state;
 }
 
 template <class Machine, class Tile>
@@ -44,14 +71,15 @@ SpeedLimit TileBackend<Machine, Tile>::speed_limit() const {
 template <class Machine, class Tile>
 template <class Ask>
 auto TileBackend<Machine, Tile>::inspect(const Ask& ask) const {
-  const StateArrays copy = state();
-  const auto view = [&](const FieldValues& values) {
-    // Read only: the views of a diagnosed state are never written.
-    return FieldView<R>{const_cast<R*>(std::get<std::vector<R>>(values).data()), nx()};
-  };
+  StateArrays copy = state();
+  const auto view = [&](FieldValues& values) { return FieldView<R>{std::get<std::vector<R>>(values).data(), nx()}; };
+  const bool covers = copy.has_covers();
+  const Cover<R> cover =
+      covers ? Cover<R>{bed_.view(), {std::get<std::vector<double>>(copy.buried).data(), nx()}} : Cover<R>{};
   const TileFields<R>& f = tile_.fields;
   return ask(Diagnosed<R>{nx(), ny(), f.spacing, f.parameters(R(0)), view(copy.depth), view(copy.momentum_x),
-                          view(copy.momentum_y), bed_.view(), mu_.view(), f.material, Tile::flat, Tile::uniform});
+                          view(copy.momentum_y), covers ? view(copy.bed) : bed_.view(), mu_.view(), f.material, cover,
+                          Tile::flat, Tile::uniform});
 }
 
 template <class Machine, class Tile>

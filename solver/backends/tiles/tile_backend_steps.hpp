@@ -113,8 +113,15 @@ template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::take_material(const InitialState& initial) {
   TileFields<R>& f = tile_.fields;
   if constexpr (!Tile::flat) {
-    bed_ = stored_bed<R>(initial.bed, halo_);
+    const bool covers = config_.has_covering_objects();
+    bed_ = stored_bed<R>(initial.bed, halo_, covers);
     f.bed = upload_map(bed_, bed_copy_);
+    if (covers) {
+      buried_ = allocate<double>(cells());
+      const std::vector<double> none(cells(), 0.0);
+      machine_->upload(buried_.data(), none.data(), none.size());
+      f.cover = {upload_map(bed_, ground_copy_), {buried_.data(), nx()}};
+    }
   }
   if constexpr (Tile::uniform) {
     f.material = {static_cast<R>(initial.friction_coefficient.front()), static_cast<R>(initial.hbar_scale.front()),

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "solver/backends/ghost.hpp"
+#include "solver/backends/cover.hpp"
 #include "solver/field.hpp"
 #include "solver/physics/parameters.hpp"
 
@@ -32,6 +32,7 @@ struct TileFields {
   double spacing = 0.0;  // [m] the scene's, for volumes
   StateView<R> states[2];
   FieldView<R> bed;             // with its halo; not read where the terrain is flat
+  Cover<R> cover;               // of the bed; none without covering objects
   FieldView<R> mu, alpha, cap;  // with their halo; not read where the material is uniform
   physics::Material<R> material;
   SideMass out;
