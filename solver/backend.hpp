@@ -58,9 +58,7 @@ struct BackendConfig {
   int threads = 0;             // 0: as many as the machine has; results do not depend on it
   int tile_columns = 0;        // 0: chosen by the backend; results do not depend on it
   int block_rows = 0;          // likewise
-
-  /// Some object is bed for the flow where it covers sand (coupling `displace` or `solid`).
-  bool has_covering_objects() const;
+  bool covers = false;         // objects are bed for the flow where they cover sand: keep ground and buried sand apart
 };
 
 /// Sums over the grid (in an order that does not depend on threads).

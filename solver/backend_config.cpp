@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/backends/bed_on_demand.hpp"
 #include "solver/backends/cuda/cuda.hpp"
 #include "solver/errors.hpp"
 #include "solver/numerics.hpp"
@@ -20,13 +21,28 @@ constexpr double arrival_fraction = 1e-3;
 double expected_bytes(const BackendConfig& config, const InitialState& initial) {
   const double word = config.numerics.precision == Precision::float32 ? 4.0 : 8.0;
   const double cells = static_cast<double>(config.grid.cell_count());
-  double words =
-      6.0 + (initial.bed.empty() && !config.has_covering_objects() ? 0.0 : 1.0) + (config.maxima ? 3.0 : 0.0);
+  double words = 6.0 + (initial.bed.empty() && !config.covers ? 0.0 : 1.0) + (config.maxima ? 3.0 : 0.0);
   for (const auto* map : {&initial.friction_coefficient, &initial.hbar_scale, &initial.hbar_cap}) {
     words += map->size() > 1 ? 1.0 : 0.0;
   }
-  const double covers = config.has_covering_objects() ? word + sizeof(double) : 0.0;
+  const double covers = config.covers ? word + sizeof(double) : 0.0;
   return cells * (words * word + covers);
+}
+
+std::unique_ptr<Backend> make_with_bed_or_without(const BackendConfig& config, const InitialState& initial,
+                                                  Device device) {
+  if (device == Device::cuda) {
+    return make_cuda_backend(config, initial);
+  }
+  const double needed = expected_bytes(config, initial);
+  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed > present) {
+    throw DeviceError("the scene needs " + std::to_string(static_cast<std::int64_t>(needed / 1048576.0)) +
+                      " MiB of memory and this machine has " +
+                      std::to_string(static_cast<std::int64_t>(present / 1048576.0)) +
+                      " MiB. Use fewer cells, or numerics.precision: float32?");
+  }
+  return make_cpu_backend(config, initial);
 }
 
 }  // namespace
@@ -40,6 +56,7 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   config.courant = scene.time.courant.value_or(default_courant(scene.numerics));
   config.rains = sand_rains(scene);
   config.objects = coupled_objects(scene);
+  config.covers = any_covers(config.objects);
   config.maxima = scene.output.maxima;
   config.arrival_depth =
       scene.output.arrival_depth > 0.0 ? scene.output.arrival_depth : arrival_fraction * scene.grid.spacing;
@@ -48,18 +65,12 @@ BackendConfig backend_config(const Scene& scene, int threads) {
 }
 
 std::unique_ptr<Backend> make_backend(const BackendConfig& config, const InitialState& initial, Device device) {
-  if (device == Device::cuda) {
-    return make_cuda_backend(config, initial);
+  if (config.covers && initial.bed.empty()) {
+    return make_bed_on_demand(config, [&initial, device](const BackendConfig& part) {
+      return make_with_bed_or_without(part, initial, device);
+    });
   }
-  const double needed = expected_bytes(config, initial);
-  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed > present) {
-    throw DeviceError("the scene needs " + std::to_string(static_cast<std::int64_t>(needed / 1048576.0)) +
-                      " MiB of memory and this machine has " +
-                      std::to_string(static_cast<std::int64_t>(present / 1048576.0)) +
-                      " MiB. Use fewer cells, or numerics.precision: float32?");
-  }
-  return make_cpu_backend(config, initial);
+  return make_with_bed_or_without(config, initial, device);
 }
 
 std::vector<std::string> output_field_names(const Scene& scene) {

@@ -12,11 +12,6 @@ constexpr double cells_a_step = 0.5;
 
 }  // namespace
 
-bool BackendConfig::has_covering_objects() const {
-  return std::any_of(objects.begin(), objects.end(),
-                     [](const auto& object) { return object->coupling() != Coupling::drag; });
-}
-
 bool ObjectStep::is_still() const {
   const auto at_rest = [](const objects::RigidState& state) {
     return objects::length(state.velocity) == 0.0 && objects::length(state.angular_velocity) == 0.0;
@@ -32,6 +27,11 @@ SharedObjects coupled_objects(const Scene& scene) {
     }
   }
   return made;
+}
+
+bool any_covers(const SharedObjects& objects) {
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const auto& object) { return object->coupling() != Coupling::drag; });
 }
 
 double objects_change_until(const SharedObjects& objects) {

@@ -14,6 +14,9 @@ using SharedObjects = std::vector<std::shared_ptr<const objects::Object>>;
 /// The objects of a scene that are coupled in every step: all but those that are terrain.
 SharedObjects coupled_objects(const Scene& scene);
 
+/// Some object is bed for the flow where it covers sand: coupling `displace` or `solid`.
+bool any_covers(const SharedObjects& objects);
+
 /// No object moves, comes or goes after this time; -infinite if none ever does. [s]
 double objects_change_until(const SharedObjects& objects);
 

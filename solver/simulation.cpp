@@ -113,7 +113,6 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
   report_.scheme = numerics.scheme == Scheme::balanced ? "balanced" : "paper";
   report_.order = numerics.scheme == Scheme::balanced ? numerics.order : 1;
   report_.cells = static_cast<std::int64_t>(scene.grid.cell_count());
-  report_.memory_bytes = backend_->memory_bytes();
   for (const std::string& name : stage_names(scene)) {
     report_.stages.push_back({name, 0.0, 0, 0.0});
   }
@@ -385,6 +384,7 @@ void Run::fail(Incident incident, const std::string& problem, const std::string&
 void Run::finish() {
   deliver_frame();
   report_.steps = loop_.steps;
+  report_.memory_bytes = backend_->memory_bytes();
   report_.at_rest = loop_.at_rest;
   report_.simulated_time = loop_.time;
   report_.ledger.in = loop_.volume_in, report_.ledger.out = loop_.volume_out;

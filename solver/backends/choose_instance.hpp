@@ -20,7 +20,7 @@ struct Variant {
 inline Variant variant_of(const BackendConfig& config, const InitialState& initial) {
   const bool uniform =
       initial.friction_coefficient.size() == 1 && initial.hbar_scale.size() == 1 && initial.hbar_cap.size() == 1;
-  const bool flat = initial.bed.empty() && !config.has_covering_objects();
+  const bool flat = initial.bed.empty() && !config.covers;
   return {flat, uniform, config.grid.one_dimensional()};
 }
 

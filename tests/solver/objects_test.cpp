@@ -89,6 +89,31 @@ TEST_CASE("Sand beside an object that stays in it comes to rest") {
   }
 }
 
+TEST_CASE("An object above the sand changes nothing, and needs no bed") {
+  std::vector<FieldValues> depth;
+  std::vector<std::int64_t> memory;
+  for (const double height : {0.5, 2.0, 0.2}) {
+    Scene scene = bed(40, 0.02, 0.1);
+    SandColumn heap;
+    heap.center = {0.4, 0.4}, heap.radius = 0.2, heap.fill.depth = 0.2;
+    scene.sand.initial.push_back(heap);
+    KinematicObject ball;
+    ball.name = "ball";
+    ball.shape = SphereShape{0.1, {}};
+    ball.position = {0.3, 0.4, height};
+    ball.motion = ConstantMotion{{0.5, 0.0, 0.0}, {}};
+    scene.objects = {ball};
+    scene.time.end = 0.3, scene.time.frame_interval = 0.3;
+    MemorySink sink;
+    memory.push_back(run(scene, {}, sink).memory_bytes);
+    depth.push_back(field_of(sink.frames.back(), "depth"));
+  }
+  CHECK(depth[0] == depth[1]);
+  CHECK(depth[0] != depth[2]);
+  CHECK(memory[0] == memory[1]);
+  CHECK(memory[0] < memory[2]);
+}
+
 TEST_CASE("Sand runs over a low object and not over a high one") {
   double over[2] = {};
   for (const bool high : {false, true}) {

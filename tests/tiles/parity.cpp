@@ -323,6 +323,7 @@ void check_objects_on(const MakeBackend& make) {
                 static_cast<int>(numerics.precision), static_cast<int>(coupling));
         Setting s = make_setting(variant, numerics, ++seed);
         s.config.objects = make_objects(coupling, vertical);
+        s.config.covers = coupling != Coupling::drag;
         const auto cpu = make_cpu_backend(s.config, s.initial);
         const auto tiles = make(s.config, s.initial);
         cpu->set_state(s.state), tiles->set_state(s.state);

@@ -155,9 +155,8 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
 template <class Rows, class Make>
 void CpuBackend<Rows, Make>::take_material(const InitialState& initial) {
   if constexpr (!Rows::flat) {
-    const bool covers = config_.has_covering_objects();
-    bed_ = stored_bed<R>(initial.bed, halo_, covers);
-    if (covers) {
+    bed_ = stored_bed<R>(initial.bed, halo_, config_.covers);
+    if (config_.covers) {
       ground_ = stored_bed<R>(initial.bed, halo_, true);
       buried_ = Field<double>(nx(), ny(), 0.0);
     }
@@ -395,7 +394,7 @@ ObjectEffect CpuBackend<Rows, Make>::couple(const ObjectStep& one, const std::ve
   job.state = {h_[current_].row(0), hu_[current_].row(0), hv_[current_].row(0), h_[current_].view().stride};
   job.bed = bed_.view(), job.flat = Rows::flat;
   std::vector<coupling::Body> others;
-  if (coupling != Coupling::drag) {
+  if (config_.covers && coupling != Coupling::drag) {
     job.cover = {ground_.view(), buried_.view()};
     others = coupling::bodies_beside(config_, all, one.object, job.patch);
     job.others = others.data(), job.other_count = static_cast<int>(others.size());

@@ -63,7 +63,7 @@ ObjectEffect TileBackend<Machine, Tile>::couple(const ObjectStep& one, const std
   job.state = tile_.fields.state(control_.current);
   job.bed = tile_.fields.bed, job.flat = Tile::flat;
   job.body.shape = shapes_[one.object].view;
-  if (coupling != Coupling::drag) {
+  if (config_.covers && coupling != Coupling::drag) {
     take_others(job, one, all);
   }
   job.scratch = coupling_scratch_.data(), job.levels = coupling_levels_.data(), job.sums = coupling_sums_.data();

@@ -38,7 +38,7 @@ void TileBackend<Machine, Tile>::put_bed(const std::vector<R>& values) {
 template <class Machine, class Tile>
 StateArrays TileBackend<Machine, Tile>::state() const {
   StateArrays state{field("flowing_depth"), field("momentum_x"), field("momentum_y"), {}, {}};
-  if (config_.has_covering_objects()) {
+  if (config_.covers) {
     state.bed = field("flow_bed");
     std::vector<double> buried(cells());
     machine_->download(buried.data(), buried_.data(), cells());

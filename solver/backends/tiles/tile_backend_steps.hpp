@@ -113,10 +113,9 @@ template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::take_material(const InitialState& initial) {
   TileFields<R>& f = tile_.fields;
   if constexpr (!Tile::flat) {
-    const bool covers = config_.has_covering_objects();
-    bed_ = stored_bed<R>(initial.bed, halo_, covers);
+    bed_ = stored_bed<R>(initial.bed, halo_, config_.covers);
     f.bed = upload_map(bed_, bed_copy_);
-    if (covers) {
+    if (config_.covers) {
       buried_ = allocate<double>(cells());
       const std::vector<double> none(cells(), 0.0);
       machine_->upload(buried_.data(), none.data(), none.size());
