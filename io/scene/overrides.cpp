@@ -103,8 +103,14 @@ void apply(Node& root, const std::string& text, int at, Problems& problems) {
 
 }  // namespace
 
-void apply_overrides(Node& root, std::span<const std::string> overrides, Problems& problems) {
-  for (std::size_t k = 0; k < overrides.size(); ++k) apply(root, overrides[k], static_cast<int>(k), problems);
+std::vector<Override> command_line_overrides(std::span<const std::string> texts) {
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) overrides.push_back({text, "--set " + shown(text, 200)});
+  return overrides;
+}
+
+void apply_overrides(Node& root, std::span<const Override> overrides, Problems& problems) {
+  for (std::size_t k = 0; k < overrides.size(); ++k) apply(root, overrides[k].text, static_cast<int>(k), problems);
 }
 
 }  // namespace sandsim

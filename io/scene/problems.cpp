@@ -8,13 +8,13 @@
 
 namespace sandsim {
 
-Problems::Problems(std::string name, std::vector<std::string> overrides)
-    : name_(std::move(name)), overrides_(std::move(overrides)) {}
+Problems::Problems(std::string name, std::vector<std::string> override_places)
+    : name_(std::move(name)), override_places_(std::move(override_places)) {}
 
 std::string Problems::format(const Position& position, std::string_view subject, const Complaint& complaint) const {
   std::string text;
   if (position.override_at >= 0) {
-    text = "--set " + shown(overrides_[static_cast<std::size_t>(position.override_at)], 200) + ": ";
+    text = override_places_[static_cast<std::size_t>(position.override_at)] + ": ";
   } else if (position.line > 0) {
     text = name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column) + ": ";
   } else {

@@ -20,8 +20,8 @@ struct Complaint {
 /// Collects messages of the form `file:line:col: key = value: problem (why). Suggestion`.
 class Problems {
  public:
-  /// `name` is the file's name in messages; `overrides` are the texts of the `--set` options.
-  Problems(std::string name, std::vector<std::string> overrides);
+  /// `name` is the file's name in messages; `override_places` say where each override was written.
+  explicit Problems(std::string name, std::vector<std::string> override_places = {});
 
   /// `subject` is "key = value", "key", or empty.
   void add(const Position& position, std::string_view subject, const Complaint& complaint);
@@ -42,7 +42,7 @@ class Problems {
   void add(const Position& position, std::string_view subject, const Complaint& complaint, bool input);
 
   std::string name_;
-  std::vector<std::string> overrides_;
+  std::vector<std::string> override_places_;
   std::vector<Message> messages_;
 };
 

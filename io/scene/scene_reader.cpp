@@ -1,178 +1,16 @@
 #include "io/scene/scene_reader.hpp"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <optional>
-#include <type_traits>
-#include <utility>
-#include <variant>
 
-#include "io/scene/node.hpp"
-#include "io/scene/overrides.hpp"
+#include "io/scene/document.hpp"
+#include "io/scene/map_reader.hpp"
 #include "io/scene/parameters.hpp"
-#include "io/scene/problems.hpp"
-#include "io/scene/reading.hpp"
 #include "io/scene/yaml_tree.hpp"
 #include "solver/checks.hpp"
-#include "solver/errors.hpp"
 
 namespace sandsim {
 
 namespace {
-
-/// Visitor of the table that fills a struct from a map.
-class MapReader {
- public:
-  MapReader(Reading& reading, const Node& map, std::string path)
-      : reading_(reading), map_(map), path_(std::move(path)) {}
-
-  template <class T>
-  void field(const char* key, T& target, const Rule& rule, const char* meaning) {
-    keys_.emplace_back(key);
-    const std::string path = path_of(key);
-    const Node* node = map_.find(key);
-    if (node != nullptr) reading_.note(path, *node);
-    // A key that hangs on a wrong one is neither missing nor unused.
-    const bool decided =
-        rule.only_with.empty() || !reading_.failed(path_of(rule.only_with.substr(0, rule.only_with.find(':'))));
-    if (!decided) return;
-    if (node == nullptr) {
-      if (rule.is_required && rule.applies) report_missing(key, rule, meaning);
-    } else if (!rule.applies) {
-      reading_.complain(*node, path, {"not used", "it belongs to " + rule.only_with, "Remove it."});
-    } else if (node->kind == Node::Kind::null) {
-      reading_.complain_key(node->position, path, {"no value", "the key is there, but nothing after it", ""});
-    } else {
-      read(*node, path, target, rule);
-    }
-  }
-
-  /// A key that is not in the table, e.g. the type of a part.
-  void know(const char* key) { keys_.emplace_back(key); }
-
-  /// Complains about keys that no field has asked for.
-  void finish() const {
-    for (const Node& child : map_.children) {
-      if (std::find(keys_.begin(), keys_.end(), child.key) != keys_.end()) continue;
-      const std::string near = nearest(child.key, keys_);
-      reading_.complain_key(
-          child.position, path_of(child.key),
-          {"unknown key", "",
-           (near.empty() ? "" : "Did you mean '" + near + "'? ") + "Valid keys: " + listed(keys_) + '.'});
-    }
-  }
-
- private:
-  std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + '.' + key; }
-
-  void report_missing(const std::string& key, const Rule& rule, const char* meaning) {
-    const Position position = path_.empty() ? Position{1, 1, -1} : map_.position;
-    std::string why = meaning;
-    if (why.ends_with('.')) why.pop_back();
-    reading_.complain_key(position, path_of(key), {"missing", why, "Add \"" + key + ": " + rule.example() + "\"."});
-  }
-
-  // One overload for each kind of member. What Reading knows goes to it; the rest is taken apart here.
-  template <class T>
-  void read(const Node& node, const std::string& path, T& target, const Rule& rule) {
-    if constexpr (std::is_enum_v<T>) {
-      const std::size_t index = reading_.parse_name(node, path, enum_names<T>());
-      if (index != Reading::npos) target = static_cast<T>(index);
-    } else if constexpr (requires { reading_.parse(node, path, target, rule); }) {
-      reading_.parse(node, path, target, rule);
-    } else if (reading_.expect(node, path, Node::Kind::map, rule.example_text)) {
-      MapReader members(reading_, node, path);
-      describe(members, target);
-      members.finish();
-    }
-  }
-
-  template <class T>
-  void read(const Node& node, const std::string& path, std::optional<T>& target, const Rule& rule) {
-    T value{};
-    read(node, path, value, rule);
-    target = std::move(value);
-  }
-
-  template <class T, std::size_t N>
-  void read(const Node& node, const std::string& path, std::array<T, N>& target, const Rule& rule) {
-    if (!reading_.expect(node, path, Node::Kind::list, rule.example())) return;
-    if (node.children.size() != N) {
-      constexpr std::array counts{"two", "three", "four"};
-      const auto first = rule.component_names.begin();
-      reading_.complain(
-          node, path,
-          {std::string(counts.at(N - 2)) + " values are needed, " + together({first, first + N}),
-           "these are " + std::to_string(node.children.size()), "Write them like " + rule.example() + "."});
-      return;
-    }
-    for (std::size_t k = 0; k < N; ++k) read_item(node.children[k], path, k, target[k], rule);
-  }
-
-  template <class T>
-  void read(const Node& node, const std::string& path, std::vector<T>& target, const Rule& rule) {
-    target.clear();
-    if (node.kind != Node::Kind::list) {
-      if (!rule.is_single_allowed) {
-        reading_.expect(node, path, Node::Kind::list, "");
-        return;
-      }
-      reading_.note_single(path);
-      target.resize(1);
-      read_item(node, path, 0, target[0], rule);
-      return;
-    }
-    if (node.children.empty() && !rule.is_empty_allowed) {
-      reading_.complain(node, path, {"the list is empty", "at least one entry is needed", ""});
-    }
-    target.resize(node.children.size());
-    for (std::size_t k = 0; k < target.size(); ++k) read_item(node.children[k], path, k, target[k], rule);
-  }
-
-  template <class T>
-  void read_item(const Node& node, const std::string& path, std::size_t index, T& target, const Rule& rule) {
-    const std::string item = path + '.' + std::to_string(index);
-    reading_.note(item, node);
-    // The example of a list is no example of its entries.
-    Rule entry = rule;
-    entry.example_text.clear();
-    read(node, item, target, entry);
-  }
-
-  template <class... Ts>
-  void read(const Node& node, const std::string& path, std::variant<Ts...>& target, const Rule&) {
-    const std::vector<std::string> names{TypeName<Ts>::name...};
-    if (!reading_.expect(node, path, Node::Kind::map, "{type: " + names.front() + ", ...}")) return;
-    const Node* type = node.find("type");
-    if (type == nullptr) {
-      reading_.complain_key(node.position, path + ".type", {"missing", "", "Valid: " + alternatives(names) + '.'});
-      return;
-    }
-    reading_.note(path + ".type", *type);
-    const std::size_t index = reading_.parse_name(*type, path + ".type", names);
-    (read_alternative<Ts>(node, path, target, index != Reading::npos && names[index] == TypeName<Ts>::name), ...);
-  }
-
-  template <class T, class Variant>
-  void read_alternative(const Node& node, const std::string& path, Variant& target, bool chosen) {
-    if (!chosen) return;
-    MapReader members(reading_, node, path);
-    members.know("type");
-    describe(members, target.template emplace<T>());
-    members.finish();
-  }
-
-  // ScalarMap is a variant, but a value to the reader.
-  void read(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule) {
-    reading_.parse(node, path, target, rule);
-  }
-
-  Reading& reading_;
-  const Node& map_;
-  std::string path_;
-  std::vector<std::string> keys_;
-};
 
 /// The rules across values; those that rest on values already complained about say nothing new.
 void report_issues(const Scene& scene, Reading& reading) {
@@ -183,32 +21,28 @@ void report_issues(const Scene& scene, Reading& reading) {
   }
 }
 
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw InputError(file.string() + ": this is a folder, not a scene.");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw InputError(file.string() + (std::filesystem::exists(file, error) ? ": the scene cannot be opened."
-                                                                           : ": there is no such scene."));
-  }
-  // One byte more than allowed shows that a file is too large, however large it is.
-  std::string text(largest_scene_file + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) throw InputError(file.string() + ": the scene cannot be read.");
-  return text;
-}
-
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file, std::span<const std::string> overrides,
                  std::vector<std::string>* warnings) {
-  return read_scene_text(read_text(file), file.string(), file.parent_path(), overrides, warnings);
+  return read_scene(file, command_line_overrides(overrides), warnings);
+}
+
+Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides,
+                 std::vector<std::string>* warnings) {
+  return read_scene_text(read_document(file, "scene"), file.string(), file.parent_path(), overrides, warnings);
 }
 
 Scene read_scene_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
                       std::span<const std::string> overrides, std::vector<std::string>* warnings) {
-  Problems problems(name, {overrides.begin(), overrides.end()});
+  return read_scene_text(text, name, directory, command_line_overrides(overrides), warnings);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
+                      std::span<const Override> overrides, std::vector<std::string>* warnings) {
+  std::vector<std::string> places;
+  for (const Override& given : overrides) places.push_back(given.place);
+  Problems problems(name, std::move(places));
   Node root = parse_yaml(text, problems);
   apply_overrides(root, overrides, problems);
   Reading reading(problems, directory, warnings);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/scene/overrides.hpp"
 #include "solver/scene.hpp"
 
 namespace sandsim {
@@ -17,8 +18,14 @@ namespace sandsim {
 Scene read_scene(const std::filesystem::path& file, std::span<const std::string> overrides = {},
                  std::vector<std::string>* warnings = nullptr);
 
+/// The same with overrides that were written elsewhere than on the command line.
+Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides,
+                 std::vector<std::string>* warnings = nullptr);
+
 /// The same for text. `name` stands for the file in messages; `directory` is the folder of relative file names.
 Scene read_scene_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
                       std::span<const std::string> overrides = {}, std::vector<std::string>* warnings = nullptr);
+Scene read_scene_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
+                      std::span<const Override> overrides, std::vector<std::string>* warnings = nullptr);
 
 }  // namespace sandsim
