@@ -112,11 +112,27 @@ class ExactChecks {
   std::vector<Issue>& issues_;
 };
 
+/// A profile goes on beyond its table with its end values: without any overlap it would say nothing but these.
+void check_overlap(const Grid& grid, const std::optional<Profile>& profile, const char* key,
+                   std::vector<Issue>& issues) {
+  if (!profile || profile->x.empty()) return;
+  const double left = grid.origin[0], right = left + grid.cells[0] * grid.spacing;
+  if (profile->x.back() > left && profile->x.front() < right) return;
+  issues.push_back({key,
+                    "does not overlap with the grid",
+                    "its x is from " + number_text(profile->x.front()) + " m to " + number_text(profile->x.back()) +
+                        " m; " + grid_text(grid),
+                    "",
+                    {"grid"}});
+}
+
 }  // namespace
 
 void check_reference(const Scene& scene, std::vector<Issue>& issues) {
   const Reference& reference = *scene.reference;
   if (scene.grid.one_dimensional()) {
+    check_overlap(scene.grid, reference.profile, "reference.profile", issues);
+    check_overlap(scene.grid, reference.measured_profile, "reference.measured_profile", issues);
     if (reference.exact) {
       ExactChecks checks(scene, issues);
       std::visit(checks, *reference.exact);
