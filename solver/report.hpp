@@ -66,7 +66,7 @@ struct Incident {
 struct ErrorReport {
   std::string against;
   double time = 0.0;                   // [s] at which it was taken
-  std::optional<double> l1, l2, linf;  // [m^2] (1-D: per width), [m^1.5], [m]
+  std::optional<double> l1, l2, linf;  // 1-D, per width: [m^2], [m^1.5], [m]; 2-D: [m^3], [m^2], [m]
   std::optional<double> l1_relative;   // [-]
   struct Front {
     double depth = 0.0;               // [m] threshold; 0: the tip
@@ -74,6 +74,11 @@ struct ErrorReport {
     std::optional<double> reference;  // [m]
   };
   std::vector<Front> fronts;
+  struct Height {
+    double computed = 0.0;   // [m] deepest sand, where the reference is known
+    double reference = 0.0;  // [m] likewise
+  };
+  std::optional<Height> height;
   std::string note;  // e.g. that the measured file is missing
 };
 

@@ -106,6 +106,10 @@ void add_error(JsonWriter& json, const ErrorReport& error) {
     json.end_object();
   }
   json.end_array();
+  if (error.height) {
+    json.begin_object("height").member("computed", error.height->computed);
+    json.member("reference", error.height->reference).end_object();
+  }
   add_text(json, "note", error.note);
   json.end_object();
 }

@@ -8,6 +8,7 @@
 #include "solver/reference/exact_now.hpp"
 #include "solver/reference/numeric.hpp"
 #include "solver/reference/piecewise_linear.hpp"
+#include "solver/reference/restriction.hpp"
 
 namespace sandsim {
 namespace {
@@ -35,6 +36,7 @@ std::vector<double> cell_averages(const Grid& grid, const ExactNow& now) {
 void add_norms(ErrorReport& report, const Grid& grid, std::span<const double> depth,
                std::span<const double> reference) {
   double l1 = 0.0, l2 = 0.0, linf = 0.0, size = 0.0;
+  ErrorReport::Height height;
   std::size_t known = 0;
   for (std::size_t i = 0; i < reference.size(); ++i) {
     if (std::isnan(reference[i])) continue;
@@ -43,12 +45,16 @@ void add_norms(ErrorReport& report, const Grid& grid, std::span<const double> de
     l2 += error * error;
     linf = std::max(linf, error);
     size += std::abs(reference[i]);
+    height.computed = std::max(height.computed, depth[i]);
+    height.reference = std::max(height.reference, reference[i]);
     ++known;
   }
   if (known == 0) return;
-  report.l1 = l1 * grid.spacing;
-  report.l2 = std::sqrt(l2 * grid.spacing);
+  const double cell = grid.one_dimensional() ? grid.spacing : grid.spacing * grid.spacing;
+  report.l1 = l1 * cell;
+  report.l2 = std::sqrt(l2 * cell);
   report.linf = linf;
+  report.height = height;
   if (size > 0.0) report.l1_relative = l1 / size;
 }
 
@@ -169,6 +175,18 @@ std::vector<ErrorReport> compare(const Scene& scene, const InitialState& initial
     reports.push_back(alone);
   }
   return reports;
+}
+
+ErrorReport compare_fine(const Grid& grid, std::span<const double> depth, const Grid& fine_grid,
+                         std::span<const double> fine, double time, std::span<const double> front_depths) {
+  ErrorReport report = report_against("fine run", time);
+  add_norms(report, grid, depth, restrict_to(grid, fine_grid, fine));
+  for (const double threshold : front_depths) {
+    const double known = front(fine_grid, fine, threshold);
+    report.fronts.push_back(
+        {threshold, front(grid, depth, threshold), std::isnan(known) ? std::nullopt : std::optional(known)});
+  }
+  return report;
 }
 
 ReferenceFrame reference_at(const Scene& scene, const InitialState& initial, double time) {

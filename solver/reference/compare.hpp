@@ -25,6 +25,11 @@ double front(const Grid& grid, std::span<const double> depth, double threshold);
 std::vector<ErrorReport> compare(const Scene& scene, const InitialState& initial, double time,
                                  std::span<const double> depth);
 
+/// The error of `depth` (ny * nx values [m]) against a run on a finer grid of the same domain, `fine`, restricted to
+/// the cells of `grid`, and the fronts of both at each depth [m] of `front_depths`.
+ErrorReport compare_fine(const Grid& grid, std::span<const double> depth, const Grid& fine_grid,
+                         std::span<const double> fine, double time, std::span<const double> front_depths);
+
 /// The scene's exact solution at one moment, for the frames.
 struct ReferenceFrame {
   std::vector<double> depth;  // [m] nx cell averages; empty if no profile is known now; NaN where a wall interferes

@@ -45,8 +45,8 @@ TEST_CASE("the summary of a run at rest says since when and that nothing was cli
 
 TEST_CASE("the summary shows a computed front once however many references there are") {
   RunReport report = finished_report();
-  report.errors.push_back({"exact", 1.0, {}, {}, {}, 0.012, {{0.05, 0.5, 0.75}}, ""});
-  report.errors.push_back({"measured", 1.0, {}, {}, {}, {}, {{0.05, 0.5, {}}}, "the file is missing"});
+  report.errors.push_back({"exact", 1.0, {}, {}, {}, 0.012, {{0.05, 0.5, 0.75}}, {}, ""});
+  report.errors.push_back({"measured", 1.0, {}, {}, {}, {}, {{0.05, 0.5, {}}}, {}, "the file is missing"});
   const std::string text = cli::run_summary(Scene{}, report, "");
   CHECK(count(text, "0.05 m deep at 0.5 m") == 1);
   CHECK(contains(text, "against exact: L1 1.2 %; 0.05 m deep -0.25 m off 0.75 m"));
