@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/raster/read_raster.hpp"
+#include "io/raster/write_npy.hpp"
 #include "tests/raster/errors.hpp"
 #include "tests/support/catch.hpp"
 
@@ -172,6 +173,17 @@ TEST_CASE("damaged headers are errors") {
   CHECK(error(npy("{'shape': (a)}", "")) == "a.npy: the shape is not a tuple of sizes before \"a)}\\x0a\"");
   CHECK(error(npy("{'shape': (2 3)}", "")) == "a.npy: the header is damaged (expected ')' before \"3)}\\x0a\")");
   CHECK(error(npy("{} 1", "")) == "a.npy: \"1\\x0a\" follows the header's dictionary");
+}
+
+TEST_CASE("what is written as .npy reads back to the same bits") {
+  const std::vector<double> values{0.1, -2.5e-300, 3.0, 1.0 / 3.0, 5.0, 6.0};
+  const Raster raster = read_npy(npy_bytes(values, 3, 2), "a.npy");
+  CHECK(raster.nx == 3);
+  CHECK(raster.ny == 2);
+  CHECK(raster.values == values);
+  // The data begin at a multiple of 64 bytes, whatever the shape.
+  CHECK((npy_bytes(values, 3, 2).size() - 48) % 64 == 0);
+  CHECK((npy_bytes(values, 6, 1).size() - 48) % 64 == 0);
 }
 
 }  // namespace
