@@ -27,6 +27,7 @@ struct Arguments {
   InfoArguments info;
   SchemaArguments schema;
   BenchArguments bench;
+  StudyArguments study;
   std::function<ExitCode(Console&)> command;
 };
 
@@ -148,6 +149,26 @@ void add_bench(CLI::App& app, Arguments& all) {
   command.callback([&all] { all.command = [&all](Console& console) { return bench_command(all.bench, console); }; });
 }
 
+void add_study(CLI::App& app, Arguments& all) {
+  StudyArguments& study = all.study;
+  CLI::App& command = *app.add_subcommand("study", "Measure error against run time, and what features cost");
+  command.add_option("STUDY", study.study, "Study file, or a folder that holds a study.yaml")->required();
+  command.add_option("-o,--output", study.output, "Output directory; results/study_NAME if absent")->type_name("DIR");
+  command.add_option("--repeats", study.repeats, "Timed runs of each setting, instead of the study's")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("--under", study.under, "Name the cheapest setting with at most this error; may be repeated")
+      ->type_name("ERROR")
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1e-300, 1e300));
+  command.add_flag("--quick", study.quick, "One repeat and the three coarsest spacings: shows that it works");
+  command.add_flag("--list", study.list, "Print the settings that would be run, and run nothing");
+  command.add_flag("--overwrite", study.overwrite, "Write into a DIR that is not empty");
+  command.add_flag("-q,--quiet", study.quiet, "No progress and no tables; errors only");
+  command.footer(help::study);
+  command.callback([&all] { all.command = [&all](Console& console) { return study_command(all.study, console); }; });
+}
+
 void add_everything(CLI::App& app, Arguments& all) {
   app.set_version_flag("--version", source_line(), "Print the version and exit");
   app.require_subcommand(1);
@@ -159,6 +180,7 @@ void add_everything(CLI::App& app, Arguments& all) {
   add_schema(app, all);
   add_devices(app, all);
   add_bench(app, all);
+  add_study(app, all);
 }
 
 int usage_error(std::ostream& err, const CLI::App& app, const std::string& message) {

@@ -21,5 +21,6 @@ ExitCode info_command(const InfoArguments& arguments, Console& console);
 ExitCode schema_command(const SchemaArguments& arguments, Console& console);
 ExitCode devices_command(Console& console);
 ExitCode bench_command(const BenchArguments& arguments, Console& console);
+ExitCode study_command(const StudyArguments& arguments, Console& console);
 
 }  // namespace sandsim::cli

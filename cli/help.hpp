@@ -91,4 +91,41 @@ Examples:
   sandsim bench --device cuda --size 4096
   sandsim bench --quick --json)";
 
+inline constexpr const char* study = R"(A study file names scenes and what is varied in them:
+
+  title: Deposit of the flume
+  scenes: [{name: hbar = h, file: ../flume/scene.yaml}]
+  spacings: [4 cm, 2 cm, 1 cm, 5 mm]     # cells of the same domain; a fixed time.step falls with them
+  methods:                               # named sets of values; each is a curve
+    - {name: order 1, set: {numerics: {scheme: balanced, order: 1}}}
+    - {name: order 2, set: {numerics: {scheme: balanced, order: 2}}}
+  vary: {numerics.precision: [float32, float64]}        # every combination is a curve
+  error: {against: profile, measure: l1_relative}
+  repeats: 5
+
+Errors are taken at the end of a run: against a reference of the scene (error.against: exact, profile,
+measured_profile or measured_front), or against a fine run, 'fine: {spacing: 0.5 mm}', which the study makes
+with the balanced scheme of order 2 in float64, keeps beside its results as fine-HASH.npy, and restricts to the
+cells of each grid by their means. error.measure is l1_relative (default), l1, l2, linf, front, height or volume;
+study.csv has all of them. 'set' replaces values in all scenes. 'devices: [cpu, cuda]' and 'threads: [1, 2]' are
+varied, too. Each run keeps one frame, its last: frames would cut steps.
+
+  ablation:                              # what features cost: variants of a scene, timed side by side
+    file: ../flume/scene.yaml
+    variants: [{name: maxima, set: {output.maxima: true}}]
+    writes: true                         # frames go to disk, as those of a run
+
+Runs go strictly one after the other, in rounds over all settings; the first round warms up. The time of a run
+is that of the solver's steps. A time is the median of the repeats. Leave the machine alone meanwhile: the load
+average is reported.
+
+Output: DIR holds study.yaml (with it, 'sandsim study DIR/study.yaml -o OTHER' gives the same errors to the last
+digit), table.md, study.csv, ablation.csv. 'scripts/plot DIR' draws error over time with the frontier marked.
+A setting that fails is reported in its row; the others are run, and the exit code is 5.
+
+Examples:
+  sandsim study scenes/studies/flume.yaml
+  sandsim study scenes/studies/flume.yaml --list
+  sandsim study scenes/studies/flume.yaml -o results/try --quick --under 5e-2)";
+
 }  // namespace sandsim::cli::help

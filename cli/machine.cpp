@@ -43,6 +43,15 @@ int default_threads() {
   return omp_get_max_threads();
 }
 
+int processor_count() {
+  return static_cast<int>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+}
+
+double load_average() {
+  double minute = 0.0;
+  return getloadavg(&minute, 1) == 1 ? minute : 0.0;
+}
+
 std::string vector_instructions() {
 #if defined(__AVX512F__)
   return "AVX-512 (512 bit)";

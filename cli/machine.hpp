@@ -14,6 +14,12 @@ std::string processor_name();
 /// Threads that a run takes if it is not told how many.
 int default_threads();
 
+/// Processors that are there.
+int processor_count();
+
+/// Processes that run or want to, mean over the last minute; 0 if the system does not tell.
+double load_average();
+
 /// Widest vectors that sandsim was compiled for, e.g. "AVX-512 (512 bit)".
 std::string vector_instructions();
 

@@ -50,4 +50,15 @@ struct BenchArguments {
   bool json = false;
 };
 
+struct StudyArguments {
+  std::string study;           // file, or folder that holds a study.yaml
+  std::string output;          // directory; empty: results/study_NAME
+  std::optional<int> repeats;  // absent: the study's
+  std::vector<double> under;   // empty: the study's
+  bool quick = false;          // one repeat, the three coarsest spacings
+  bool list = false;           // print the settings, run nothing
+  bool overwrite = false;
+  bool quiet = false;
+};
+
 }  // namespace sandsim::cli

@@ -43,7 +43,7 @@ def main(root):
     jsonschema.Draft7Validator.check_schema(schema)
     validator = jsonschema.Draft7Validator(schema)
     failures = 0
-    scenes = sorted((root / "scenes").glob("*/*.yaml"))
+    scenes = sorted((root / "scenes").glob("*/scene*.yaml"))
     for path in scenes:
         for error in validator.iter_errors(yaml.load(path.read_text(), Loader)):
             print(f"{path}: {'.'.join(map(str, error.absolute_path))}: {error.message}")
