@@ -1,11 +1,12 @@
-"""Every shipped scene is valid, and says what to expect."""
+"""Every shipped scene and study is valid, and says what to expect."""
 
 import subprocess
 import unittest
 
 from plotting import ROOT, sandsim
 
-SCENES = sorted(ROOT.glob("scenes/*/*.yaml"))
+SCENES = sorted(ROOT.glob("scenes/*/scene*.yaml"))
+STUDIES = sorted(ROOT.glob("scenes/studies/*.yaml"))
 
 
 class ShippedScenes(unittest.TestCase):
@@ -15,8 +16,14 @@ class ShippedScenes(unittest.TestCase):
                 done = subprocess.run([sandsim(), "check", str(scene)], capture_output=True, text=True)
                 self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_every_study_can_be_expanded(self):
+        for study in STUDIES:
+            with self.subTest(study=study.relative_to(ROOT)):
+                done = subprocess.run([sandsim(), "study", str(study), "--list"], capture_output=True, text=True)
+                self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_every_scene_folder_says_what_to_expect(self):
-        for folder in {scene.parent for scene in SCENES}:
+        for folder in {path.parent for path in SCENES + STUDIES}:
             with self.subTest(folder=folder.relative_to(ROOT)):
                 self.assertTrue((folder / "README.md").is_file())
 
