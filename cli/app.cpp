@@ -161,6 +161,7 @@ void add_study(CLI::App& app, Arguments& all) {
       ->type_name("ERROR")
       ->allow_extra_args(false)
       ->check(CLI::Range(1e-300, 1e300));
+  command.add_flag("--shortest", study.shortest, "The shortest repeat counts, not the median: for busy machines");
   command.add_flag("--quick", study.quick, "One repeat and the three coarsest spacings: shows that it works");
   command.add_flag("--list", study.list, "Print the settings that would be run, and run nothing");
   command.add_flag("--overwrite", study.overwrite, "Write into a DIR that is not empty");

@@ -116,8 +116,8 @@ varied, too. Each run keeps one frame, its last: frames would cut steps.
     writes: true                         # frames go to disk, as those of a run
 
 Runs go strictly one after the other, in rounds over all settings; the first round warms up. The time of a run
-is that of the solver's steps. A time is the median of the repeats. Leave the machine alone meanwhile: the load
-average is reported.
+is that of the solver's steps. A time is the median of the repeats, or with 'times: shortest' (--shortest) the
+least. Leave the machine alone meanwhile: the load average is reported.
 
 Output: DIR holds study.yaml (with it, 'sandsim study DIR/study.yaml -o OTHER' gives the same errors to the last
 digit), table.md, study.csv, ablation.csv. 'scripts/plot DIR' draws error over time with the frontier marked.

@@ -55,6 +55,7 @@ struct StudyArguments {
   std::string output;          // directory; empty: results/study_NAME
   std::optional<int> repeats;  // absent: the study's
   std::vector<double> under;   // empty: the study's
+  bool shortest = false;       // the shortest repeat instead of the study's choice
   bool quick = false;          // one repeat, the three coarsest spacings
   bool list = false;           // print the settings, run nothing
   bool overwrite = false;

@@ -47,6 +47,9 @@ void apply(const StudyArguments& arguments, Study& study) {
   if (arguments.repeats) {
     study.repeats = *arguments.repeats;
   }
+  if (arguments.shortest) {
+    study.times = TimeChoice::shortest;
+  }
   if (!arguments.under.empty()) {
     study.under = arguments.under;
   }

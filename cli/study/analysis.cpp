@@ -111,7 +111,8 @@ StudyPoint point_of(const StudyPlan& plan, const StudyCase& setting, const Timed
     point.bytes += stage.name == "frames" ? 0.0 : stage.bytes;
   }
   if (!result.solving.empty()) {
-    point.seconds = summarise(result.solving);
+    point.times = summarise(result.solving);
+    point.seconds = plan.study.times == TimeChoice::shortest ? point.times.least : point.times.median;
   }
   choose_report(point, reports_of(plan, setting, result, fine), plan.study.error);
   return point;
@@ -193,7 +194,7 @@ void mark_frontier(StudyFindings& findings) {
       if (!is_complete(other) || other.setting->scene != point.setting->scene) {
         return false;
       }
-      const double seconds = other.seconds->median, own = point.seconds->median;
+      const double seconds = *other.seconds, own = *point.seconds;
       return (seconds < own && other.error <= (1.0 + same_error) * point.error) ||
              (seconds <= own && other.error < point.error);
     };
@@ -219,7 +220,7 @@ const StudyPoint* cheapest(const StudyFindings& findings, std::size_t scene, dou
   const StudyPoint* best = nullptr;
   for (const StudyPoint& point : findings.points) {
     const bool reaches = point.setting->scene == scene && is_complete(point) && point.error <= target;
-    if (reaches && (best == nullptr || point.seconds->median < best->seconds->median)) {
+    if (reaches && (best == nullptr || *point.seconds < *best->seconds)) {
       best = &point;
     }
   }
@@ -238,12 +239,11 @@ std::optional<CostToError> cost_to_error(const StudyFindings& findings, const St
       continue;
     }
     if (before == nullptr) {
-      return CostToError{point.seconds->median, point.cell_steps};
+      return CostToError{*point.seconds, point.cell_steps};
     }
     const double part = std::log(before->error / target) / std::log(before->error / point.error);
     const auto between = [part](double from, double to) { return from * std::pow(to / from, part); };
-    return CostToError{between(before->seconds->median, point.seconds->median),
-                       between(before->cell_steps, point.cell_steps)};
+    return CostToError{between(*before->seconds, *point.seconds), between(before->cell_steps, point.cell_steps)};
   }
   return std::nullopt;
 }

@@ -24,7 +24,8 @@ struct StudyPoint {
   std::optional<double> front_error;                        // [m] of the first front that the reference knows
   std::optional<double> height_error;                       // [m]
   double volume_error = 0.0;                                // [-]
-  std::optional<Measurement> seconds;                       // of the solver; nothing before the first timed run
+  std::optional<double> seconds;  // [s] of the solver, as the study chooses it; nothing before the first timed run
+  Measurement times;              // [s] over the repeats
   double cell_steps = 0.0;
   double bytes = 0.0;           // [B] moved by the solver
   std::optional<double> order;  // observed, from the next coarser spacing

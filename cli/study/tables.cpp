@@ -70,7 +70,7 @@ std::string cell_text(const StudyPoint& point) {
     return "failed";
   }
   const std::string error = std::isfinite(point.error) ? fmt::format("{:.2e}", point.error) : "-";
-  const std::string time = point.seconds ? format_duration(point.seconds->median) : "-";
+  const std::string time = point.seconds ? format_duration(*point.seconds) : "-";
   const char* mark = point.on_frontier ? "**" : "";
   return fmt::format("{}{} ({}){}", mark, error, time, mark);
 }
@@ -143,8 +143,8 @@ std::vector<std::string> setting_row(const StudyFindings& findings, const StudyP
   return {label_of(findings, point),
           length_text(spacing_of(point)),
           fmt::format("{:.3e}", point.error),
-          format_duration(point.seconds->median),
-          format_duration(point.seconds->least) + " - " + format_duration(point.seconds->most),
+          format_duration(*point.seconds),
+          format_duration(point.times.least) + " - " + format_duration(point.times.most),
           fmt::format("{:.2e}", point.cell_steps)};
 }
 
@@ -161,7 +161,7 @@ std::string frontier_text(const StudyFindings& findings, std::size_t scene) {
     return "";
   }
   std::sort(points.begin(), points.end(),
-            [](const StudyPoint* a, const StudyPoint* b) { return a->seconds->median < b->seconds->median; });
+            [](const StudyPoint* a, const StudyPoint* b) { return *a->seconds < *b->seconds; });
   TextTable table{setting_head, {}};
   for (const StudyPoint* point : points) {
     table.rows.push_back(setting_row(findings, *point));
@@ -180,7 +180,7 @@ std::string cheapest_text(const StudyPlan& plan, const StudyFindings& findings, 
     }
     const std::string label = label_of(findings, *best);
     text += fmt::format("{}{}{}, error {:.3e} in {}.\n", label, label.empty() ? "" : ", ",
-                        length_text(spacing_of(*best)), best->error, format_duration(best->seconds->median));
+                        length_text(spacing_of(*best)), best->error, format_duration(*best->seconds));
   }
   return text;
 }
@@ -206,8 +206,8 @@ std::string ablation_text(const std::vector<AblationRow>& rows) {
 
 std::string head_text(const StudyPlan& plan, const StudySetting& setting) {
   std::string text = "# " + (plan.study.title.empty() ? std::string("Study") : plan.study.title) + "\n\n";
-  text += fmt::format("{}; {}. Times: of the solver's steps, median of {} after a warm-up, one run after the other. ",
-                      setting.machine, setting.date, setting.repeats);
+  text += fmt::format("{}; {}. Times: of the solver's steps, {} of {} after a warm-up, one run after the other. ",
+                      setting.machine, setting.date, enum_name(plan.study.times), setting.repeats);
   text += fmt::format("Load average {:.2f} before and {:.2f} after, on {} processors.\n", setting.load_before,
                       setting.load_after, setting.processors);
   for (const std::string& remark : setting.remarks) {
@@ -239,7 +239,7 @@ std::vector<std::string> csv_row(const StudyPlan& plan, const StudyFindings& fin
   std::vector<std::string> row{plan.study.scenes[point.setting->scene].name, label_of(findings, point),
                                point.setting->method};
   row.insert(row.end(), point.setting->picks.begin(), point.setting->picks.end());
-  const auto time = [&](double Measurement::*which) { return point.seconds ? number((*point.seconds).*which) : ""; };
+  const auto time = [&](double Measurement::*which) { return point.seconds ? number(point.times.*which) : ""; };
   const auto norm = [&](std::optional<double> ErrorReport::*which) {
     return point.against ? number((*point.against).*which) : "";
   };
@@ -249,7 +249,7 @@ std::vector<std::string> csv_row(const StudyPlan& plan, const StudyFindings& fin
                                       std::to_string(report.cells),
                                       std::to_string(report.steps),
                                       number(point.cell_steps),
-                                      time(&Measurement::median),
+                                      number(point.seconds),
                                       time(&Measurement::least),
                                       time(&Measurement::most),
                                       std::to_string(point.result->solving.size()),

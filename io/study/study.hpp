@@ -37,6 +37,9 @@ enum class Against { exact, profile, measured_profile, measured_front, fine };
 /// The error that decides: norms of the depth, the position of the front, the height of the deposit, the volume.
 enum class ErrorMeasure { l1_relative, l1, l2, linf, front, height, volume };
 
+/// Which of the repeats stands for all: the median, or the shortest, for a machine that is not idle.
+enum class TimeChoice { median, shortest };
+
 struct ErrorChoice {
   std::optional<Against> against;  // absent: the fine run if there is one, else the scene's first that applies
   ErrorMeasure measure = ErrorMeasure::l1_relative;
@@ -69,6 +72,7 @@ struct Study {
   std::optional<FineRun> fine;
   std::vector<double> under{1e-2};
   int repeats = 5;
+  TimeChoice times = TimeChoice::median;
   std::optional<Ablation> ablation;
 };
 

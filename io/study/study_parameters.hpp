@@ -24,6 +24,11 @@ struct EnumNames<ErrorMeasure> {
   static constexpr std::array names{"l1_relative", "l1", "l2", "linf", "front", "height", "volume"};
 };
 
+template <>
+struct EnumNames<TimeChoice> {
+  static constexpr std::array names{"median", "shortest"};
+};
+
 /// Free values: what they mean is for the scene to say.
 void parse_member(Reading& reading, const Node& node, const std::string& path, Settings& target);
 void parse_member(Reading& reading, const Node& node, const std::string& path, Variations& target);
@@ -84,6 +89,7 @@ void describe(V& v, Study& s) {
   v.field("fine", s.fine, section(), "A fine run that errors are taken against; the study makes and keeps it.");
   v.field("under", s.under, number().above(0).single_allowed(), "Errors for which the cheapest setting is named.");
   v.field("repeats", s.repeats, number().at_least(1).at_most(1000), "Timed runs of each setting.");
+  v.field("times", s.times, choice(), "Which repeat stands for all; the shortest where the machine is not idle.");
   v.field("ablation", s.ablation, section(), "A scene and variants of it, whose costs are compared.");
 }
 

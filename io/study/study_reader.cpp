@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include "io/scene/document.hpp"
@@ -95,8 +96,8 @@ class StudyReader {
   Node root_;
   Reading reading_;
   StudyPlan plan_;
-  std::set<std::string> complaints_;  // of the scenes, each once
-  std::string messages_;              // the same as lines, with the first setting that each was met in
+  std::set<std::string> complaints_;  // lines about the scenes, each once
+  std::string messages_;              // the same, with the first setting that each was met in
   bool only_files_missing_ = true;
 };
 
@@ -198,10 +199,14 @@ bool StudyReader::append_grid(Overrides& overrides, const Grid& domain, double s
 /// Nothing if the scene has problems, which are kept.
 std::optional<Scene> StudyReader::load(const fs::path& scene, const Overrides& overrides, const std::string& context) {
   const auto keep = [&](const Error& error) {
-    std::string lines = error.what();
-    if (!context.empty()) lines += "\n  with " + context + " of " + file_;
     // The same value is wrong in every combination that it is part of; the first one is enough to find it.
-    if (complaints_.insert(error.what()).second) messages_ += (messages_.empty() ? "" : "\n") + lines;
+    std::string news;
+    std::istringstream lines(error.what());
+    for (std::string line; std::getline(lines, line);) {
+      if (complaints_.insert(line).second) news += line + '\n';
+    }
+    if (news.empty()) return;
+    messages_ += news + (context.empty() ? "" : "  with " + context + " of " + file_ + '\n');
   };
   try {
     return read_scene(scene, std::span<const Override>(overrides));
@@ -347,7 +352,11 @@ StudyPlan StudyReader::read(const std::function<void(Study&)>& change) {
 }  // namespace
 
 StudyPlan read_study(const std::filesystem::path& file, const std::function<void(Study&)>& change) {
-  return StudyReader(file, read_document(file, "study")).read(change);
+  const std::string text = read_document(file, "study");
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw SceneError(file.string() + ": the study is empty (it holds no key). Start with \"scenes: ...\".");
+  }
+  return StudyReader(file, text).read(change);
 }
 
 std::string resolved_study(const Study& study) {

@@ -47,8 +47,8 @@ TEST_CASE("orders, the frontier and costs follow from errors and times") {
   REQUIRE(findings.points.size() == 4);
   REQUIRE(findings.curves.size() == 2);
   CHECK(findings.curves[1].label == "good");
-  CHECK(findings.points[1].seconds->median == 4.0);
-  CHECK(findings.points[1].seconds->least == 3.0);
+  CHECK(findings.points[1].seconds == 4.0);
+  CHECK(findings.points[1].times.least == 3.0);
   CHECK_FALSE(findings.points[0].order);
   CHECK_THAT(*findings.points[1].order, WithinRel(1.0, 1e-12));
   CHECK_THAT(*findings.points[3].order, WithinRel(std::log2(0.0805 / 0.02), 1e-12));
@@ -64,6 +64,13 @@ TEST_CASE("orders, the frontier and costs follow from errors and times") {
   CHECK_THAT(cost->seconds, WithinRel(2.0, 1e-12));
   CHECK_THAT(cost->cell_steps, WithinRel(std::sqrt(500.0 * 1000.0), 1e-12));
   CHECK_FALSE(cost_to_error(findings, findings.curves[0], 0.01));
+}
+
+TEST_CASE("the shortest repeat stands for all if the study says so") {
+  Example example;
+  example.add("cheap", 0.01, 0.04, {4.0, 3.0, 9.0});
+  example.plan.study.times = TimeChoice::shortest;
+  CHECK(analyse(example.plan, example.results, {}).points[0].seconds == 3.0);
 }
 
 TEST_CASE("an error that differs by less than one per cent puts no slower setting on the frontier") {

@@ -358,6 +358,22 @@ TEST_CASE("a problem of a scene that only some settings have names the first of 
   CHECK(contains(outcome.err, "\n  with 'mine', spacing 0.01 m of"));
 }
 
+TEST_CASE("a problem that many settings share is reported once") {
+  const Workplace place("scenes: {file: scene.yaml}\nset: {numerics.order: 3}\nvary: {time.courant: [0.3, 0.6]}\n");
+  const Outcome outcome = place.run();
+  CHECK(outcome.code == 2);
+  const std::size_t first = outcome.err.find("out of range");
+  REQUIRE(first != std::string::npos);
+  CHECK(outcome.err.find("out of range", first + 1) == std::string::npos);
+}
+
+TEST_CASE("an empty study says how to begin") {
+  const Workplace place("\n");
+  const Outcome outcome = place.run();
+  CHECK(outcome.code == 2);
+  CHECK(contains(outcome.err, "the study is empty (it holds no key). Start with \"scenes: ...\"."));
+}
+
 TEST_CASE("a study or a scene that is not there exits 3") {
   const TemporaryDirectory folder;
   CHECK(call({"study", (folder / "none.yaml").string()}).code == 3);
