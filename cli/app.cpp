@@ -92,6 +92,8 @@ void add_run(CLI::App& app, Arguments& all) {
   command.add_flag("--json", run.json, "Print the run report (run.json) instead of the summary");
   CLI::Option* quiet = command.add_flag("-q,--quiet", run.quiet, "No progress, summary or warnings; errors only");
   command.add_flag("-v,--verbose", run.verbose, "Say what is chosen and done, on standard error")->excludes(quiet);
+  // Not for people: `sandsim sweep` follows its cases with it.
+  command.add_option("--progress-fd", run.progress_fd)->group("");
   command.footer(help::run);
   command.callback([&all] { all.command = [&all](Console& console) { return run_command(all.run, console); }; });
 }

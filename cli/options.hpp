@@ -23,7 +23,8 @@ struct RunArguments {
   bool json = false;
   bool quiet = false;
   bool verbose = false;
-  std::string command_line;                                                        // all of it, for the record
+  int progress_fd = -1;      // descriptor to which progress is written for the process that started this one; -1: none
+  std::string command_line;  // all of it, for the record
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();  // of the command
 };
 

@@ -70,4 +70,17 @@ void ProgressBar::update(const Progress& progress) {
   stream_ << '\r' << progress_line(progress, start_, elapsed, terminal_width() - 1) << "\x1b[K" << std::flush;
 }
 
+void ProgressFeed::update(const Progress& progress) {
+  const auto now = std::chrono::steady_clock::now();
+  if (descriptor_ < 0 || now < next_) {
+    return;
+  }
+  next_ = now + redraw_interval;
+  // Always of the same length, so that a shorter line leaves nothing of the one before.
+  const std::string line = fmt::format("{:<20.9g} {:<20.9g}\n", progress.time, progress.end);
+  if (pwrite(descriptor_, line.data(), line.size(), 0) < 0) {
+    descriptor_ = -1;  // Whoever asked for it is gone, or it is no file: the run does not depend on it.
+  }
+}
+
 }  // namespace sandsim::cli

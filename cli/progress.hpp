@@ -36,4 +36,18 @@ class ProgressBar {
   Clock::time_point next_;   // earliest moment of the next drawing
 };
 
+/// Tells the process that started this one how far the run is: "TIME END\n" [s] at the start of the file that
+/// `descriptor` names, at most ten times a second. Not a pipe: nobody has to read it.
+class ProgressFeed {
+ public:
+  /// Writes nothing if the descriptor is negative.
+  explicit ProgressFeed(int descriptor) : descriptor_(descriptor) {}
+
+  void update(const Progress& progress);
+
+ private:
+  int descriptor_;
+  std::chrono::steady_clock::time_point next_{};
+};
+
 }  // namespace sandsim::cli

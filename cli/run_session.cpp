@@ -91,6 +91,7 @@ RunReport RunSession::execute(const Checkpoint* checkpoint) {
   SeriesWriter writer(settings);
   AsyncSink sink(writer, [this](const std::string& message) { log_.error(message); });
   ProgressBar bar(console_.err, console_.terminal && !arguments_.quiet);
+  ProgressFeed feed(arguments_.progress_fd);
   RunOptions options;
   options.device = input_.device.device;
   options.threads = arguments_.threads;
@@ -100,6 +101,7 @@ RunReport RunSession::execute(const Checkpoint* checkpoint) {
   options.progress = [&](const Progress& progress) {
     bar.update(progress);
     log_progress(progress);
+    feed.update(progress);
   };
   options.checkpoint = [&](const Checkpoint& state) { save(state, sink); };
   RunReport report = sandsim::run(input_.scene, options, sink);

@@ -1,0 +1,32 @@
+// The numbers of a finished case that tables and plots are made of.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "io/output/read_run_report.hpp"
+
+namespace sandsim::cli {
+
+/// The deposit: the last frame that a case has kept. Cells count as sand where it is deeper than `deposit_threshold`.
+struct Deposit {
+  double front = 0.0;   // [m] largest x of the sand, a cell's centre
+  double height = 0.0;  // [m] largest depth
+  double runout = 0.0;  // [m] largest distance of sand from the centre of mass of the first frame that has any
+};
+
+/// [-] of the largest depth in any frame: what is thinner is not part of a deposit's outline.
+inline constexpr double deposit_threshold = 0.01;
+
+struct CaseReport {
+  RunReport run;
+  std::string scene_hash;
+  std::optional<Deposit> deposit;  // none where the series keeps no depth
+};
+
+/// Reads run.json and, for a case that is done, series.h5 in the directory. Nothing if there is no run.json, or a
+/// broken one. Throws InputError if the series of a finished case cannot be read.
+std::optional<CaseReport> read_case_report(const std::filesystem::path& directory);
+
+}  // namespace sandsim::cli
