@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
-#include <regex>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -23,6 +22,7 @@ namespace {
 /// The options of every command, and the command that was chosen.
 struct Arguments {
   RunArguments run;
+  SweepArguments sweep;
   CheckArguments check;
   InfoArguments info;
   SchemaArguments schema;
@@ -59,6 +59,15 @@ void add_threads(CLI::App& command, int& threads) {
       ->check(CLI::Range(1, 4096));
 }
 
+void add_device(CLI::App& command, Device& device, const std::string& meaning) {
+  const auto choose = [&device](const std::string& name) {
+    device = name == "cuda" ? Device::cuda : name == "cpu" ? Device::cpu : Device::automatic;
+  };
+  command.add_option_function<std::string>("--device", choose, meaning)
+      ->type_name("auto|cpu|cuda")
+      ->check(one_of({"auto", "cpu", "cuda"}));
+}
+
 void add_wall_limit(CLI::App& command, double& limit) {
   const auto read = [&limit](const std::string& text) {
     const std::optional<double> seconds = parse_wall_clock(text);
@@ -77,13 +86,7 @@ void add_run(CLI::App& app, Arguments& all) {
   add_scene(command, run.scene, run.overrides);
   command.add_option("-o,--output", run.output, "Output directory; results/NAME if absent (see below)")
       ->type_name("DIR");
-  const auto choose_device = [&run](const std::string& name) {
-    run.device = name == "cuda" ? Device::cuda : name == "cpu" ? Device::cpu : Device::automatic;
-  };
-  command
-      .add_option_function<std::string>("--device", choose_device, "auto takes the fastest there is; auto if absent")
-      ->type_name("auto|cpu|cuda")
-      ->check(one_of({"auto", "cpu", "cuda"}));
+  add_device(command, run.device, "auto takes the fastest there is; auto if absent");
   add_threads(command, run.threads);
   add_precision(command, run.precision, "Override numerics.precision");
   CLI::Option* resume = command.add_flag("--resume", run.resume, "Go on from DIR's checkpoint.h5");
@@ -96,6 +99,64 @@ void add_run(CLI::App& app, Arguments& all) {
   command.add_option("--progress-fd", run.progress_fd)->group("");
   command.footer(help::run);
   command.callback([&all] { all.command = [&all](Console& console) { return run_command(all.run, console); }; });
+}
+
+void add_sweep_cases(CLI::App& command, SweepArguments& sweep) {
+  command
+      .add_option("SCENE", sweep.scene,
+                  "Scene, sweep file, a folder that holds a sweep.yaml or scene.yaml, or the DIR of an earlier sweep")
+      ->required();
+  command.add_option("--vary", sweep.vary, "What varies: a list, a range or an interval (see below); may be repeated")
+      ->type_name("KEY=VALUES")
+      ->allow_extra_args(false);
+  command.add_option("--set", sweep.overrides, "Override a value of the scene in all cases; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--samples", sweep.samples, "Number of samples drawn from the intervals")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  command.add_option("--sampling", sweep.sampling, "How: Latin hypercube or independent points; latin if absent")
+      ->type_name("latin|random")
+      ->check(one_of({"latin", "random"}));
+  command.add_option("--seed", sweep.seed, "The same seed draws the same samples everywhere; 1 if absent")
+      ->type_name("S");
+}
+
+void add_sweep_actions(CLI::App& command, SweepArguments& sweep) {
+  CLI::Option* list = command.add_flag("--list", sweep.list, "Print the cases and how far they are; run nothing");
+  CLI::Option* expand =
+      command.add_flag("--expand", sweep.expand, "Write the numbered cases and a job script for Slurm; run nothing");
+  CLI::Option* one =
+      command.add_option("--case", sweep.one_case, "Run case N only")->type_name("N")->check(CLI::Range(1, 1'000'000));
+  CLI::Option* collect =
+      command.add_flag("--collect", sweep.collect, "Gather what the cases have left into the summary; run nothing");
+  for (CLI::Option* option : {expand, one, collect}) option->excludes(list);
+  for (CLI::Option* option : {one, collect}) option->excludes(expand);
+  one->excludes(collect);
+}
+
+void add_sweep(CLI::App& app, Arguments& all) {
+  SweepArguments& sweep = all.sweep;
+  CLI::App& command = *app.add_subcommand("sweep", "Run a scene with different values, side by side");
+  add_sweep_cases(command, sweep);
+  command.add_option("-o,--output", sweep.output, "Output directory; results/NAME_sweep if absent")->type_name("DIR");
+  command.add_option("-j,--jobs", sweep.parallel, "Cases at a time; one a processor if absent")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  command.add_option("--threads", sweep.threads, "Threads of each case; 1 with -j, else shared out among the cases")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  add_precision(command, sweep.precision, "Override numerics.precision in all cases");
+  add_device(command, sweep.device, "As for run");
+  add_wall_limit(command, sweep.max_wall);
+  command.add_flag("--yes", sweep.yes, "Run more than 1000 cases");
+  command.add_flag("--skip-invalid", sweep.skip_invalid, "Record cases that are no valid scene and run the others");
+  command.add_flag("--retry", sweep.retry, "Run cases that broke down numerically once more");
+  command.add_flag("--overwrite", sweep.overwrite, "Remove the results of another sweep from DIR");
+  add_sweep_actions(command, sweep);
+  command.add_flag("-q,--quiet", sweep.quiet, "No progress and no summary; errors only");
+  command.footer(help::sweep);
+  command.callback([&all] { all.command = [&all](Console& console) { return sweep_command(all.sweep, console); }; });
 }
 
 void add_check(CLI::App& app, Arguments& all) {
@@ -178,6 +239,7 @@ void add_everything(CLI::App& app, Arguments& all) {
   app.footer(help::program);
   app.get_formatter()->column_width(34);
   add_run(app, all);
+  add_sweep(app, all);
   add_check(app, all);
   add_info(app, all);
   add_schema(app, all);
@@ -213,8 +275,7 @@ std::optional<std::string> wrong_command(const CLI::App& app, std::span<const st
 std::string command_line(std::span<const std::string> args) {
   std::string line = "sandsim";
   for (const std::string& arg : args) {
-    const bool plain = !arg.empty() && arg.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
-    line += plain ? " " + arg : " '" + std::regex_replace(arg, std::regex("'"), "'\\''") + "'";
+    line += ' ' + shell_word(arg);
   }
   return line;
 }
@@ -250,6 +311,7 @@ int run_app(std::span<const std::string> args, std::ostream& out, std::ostream& 
     return usage_error(err, app, error.what());
   }
   arguments.run.command_line = command_line(args);
+  arguments.sweep.command_line = arguments.run.command_line;
   Console console{out, err, &err == &std::cerr && isatty(STDERR_FILENO) == 1};
   const int code = run_chosen(arguments, console);
   out.flush();

@@ -44,6 +44,40 @@ Examples:
 
 Exit codes: see sandsim --help.)";
 
+inline constexpr const char* sweep = R"(What varies (VALUES), for any key of the scene:
+  sand.friction_angle=20,30,40 deg     a list; a unit at its end holds for all of it; [40, 1] is one value
+  sand.friction_angle=20:40:5 deg      a range: first:last:count; also 20 deg:40 deg:5, and :log for equal ratios
+  sand.friction_angle=20..40 deg       an interval from which --samples are drawn; :log likewise
+  a=1,2,3; b=4,5,6                     two keys that vary together; two --vary give all combinations
+A sweep file says the same, and belongs to its scene (`sandsim sweep FILE`):
+  scene: scene.yaml
+  vary: {sand.friction_angle: 20:40:5 deg, sand.hbar.scale: [0.3, 0.6]}
+  # set: {time.end: 2 s}, samples: 64, sampling: latin, seed: 1; a list of maps under vary: keys vary together
+
+Output:
+  DIR/cases/HASH is the output of a run each; HASH stands for the scene and all files that it reads.
+  DIR/summary.csv and summary.h5 are the table of cases: values, exit code, front, deposit height, runout, stop time,
+  errors, volume error, steps, wall time. scripts/plot DIR draws it.
+
+Stopping and going on:
+  The same command again, or `sandsim sweep DIR`, goes on: finished cases are never run again, interrupted ones go on
+  from their checkpoints, also after a kill. A case that fails is recorded and the others go on; called again, cases
+  whose disk, memory or files failed are tried again. More values for a sweep that is done: only the new cases run.
+  Every case has the bits of the same run on its own, with any -j and --threads.
+
+Beyond one machine, on a file system that all see:
+  sandsim sweep SCENE --vary ... -o DIR --expand && sbatch DIR/sweep.sbatch
+  sandsim sweep DIR --collect
+  seq 64 | parallel -j 8 --joblog DIR/joblog sandsim sweep DIR --case {} -q
+
+Examples:
+  sandsim sweep scenes/pile_sweep
+  sandsim sweep scene.yaml --vary "sand.friction_angle=20:40:8 deg" --vary sand.hbar.scale=0.3:1:8 -j 4
+  sandsim sweep scene.yaml --vary "grid.cells=[80, 1],[160, 1]; grid.spacing=2,1 cm"
+  sandsim sweep scene.yaml --vary "sand.friction_angle=20..40 deg" --vary sand.hbar.scale=0.3..1 --samples 64 --seed 7
+
+Exit codes: 0 if all cases are done, else that of the first case that failed; 7 or 130 if the sweep was stopped.)";
+
 inline constexpr const char* check =
     R"(Nothing is run and nothing is written. The number of steps is an estimate: it takes the stable step of the
 initial state for all of the run.

@@ -2,6 +2,9 @@
 
 #include <variant>
 
+#include "io/output/scene_hash.hpp"
+#include "io/scene/resolved_scene.hpp"
+
 namespace sandsim::cli {
 
 namespace fs = std::filesystem;
@@ -44,6 +47,26 @@ std::vector<fs::path> input_files(const Scene& scene, const fs::path& folder) {
     }
   }
   return files;
+}
+
+std::vector<fs::path> reference_files(const Scene& scene, const fs::path& folder) {
+  std::vector<fs::path> files;
+  const auto add = [&](const auto& table) {
+    std::error_code ignored;
+    if (table && fs::is_regular_file(folder / table->file, ignored)) {
+      files.push_back(folder / table->file);
+    }
+  };
+  if (scene.reference) {
+    add(scene.reference->profile);
+    add(scene.reference->measured_profile);
+    add(scene.reference->measured_front);
+  }
+  return files;
+}
+
+std::string hash_of(const Scene& scene, const fs::path& scene_file) {
+  return scene_hash(resolved_scene(scene), input_files(scene, scene_file.parent_path()));
 }
 
 }  // namespace sandsim::cli

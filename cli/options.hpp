@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,31 @@ struct RunArguments {
 struct CheckArguments {
   std::string scene;
   std::vector<std::string> overrides;
+};
+
+struct SweepArguments {
+  std::string scene;                   // scene, sweep file, folder with either, or output directory of a sweep
+  std::vector<std::string> vary;       // "key=values", in the order given
+  std::vector<std::string> overrides;  // "a.b=v", for all cases
+  std::optional<int> samples;
+  std::optional<std::string> sampling;  // "latin" or "random"
+  std::optional<std::uint64_t> seed;
+  std::string output;  // directory; empty: results/NAME_sweep
+  int parallel = 0;    // cases at a time; 0: as many as there are processors for
+  int threads = 0;     // of a case; 0: what is left over for it
+  Device device = Device::automatic;
+  std::optional<std::string> precision;
+  double max_wall = 0.0;  // [s] 0: no limit
+  bool yes = false;
+  bool retry = false;
+  bool skip_invalid = false;
+  bool overwrite = false;
+  bool list = false;
+  bool expand = false;
+  bool collect = false;
+  std::optional<int> one_case;  // from 1
+  bool quiet = false;
+  std::string command_line;  // all of it, for the record
 };
 
 struct InfoArguments {

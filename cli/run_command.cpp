@@ -14,7 +14,6 @@
 #include "io/output/checkpoint.hpp"
 #include "io/output/json.hpp"
 #include "io/output/mesh_cache.hpp"
-#include "io/output/scene_hash.hpp"
 #include "io/output/series_writer.hpp"
 #include "io/scene/resolved_scene.hpp"
 #include "io/scene/scene_reader.hpp"
@@ -43,7 +42,7 @@ RunInput read_input(const RunArguments& arguments, Console& console) {
   require_memory(input.scene);
   // The copy in the results has to find the scene's files from there; the hash must not depend on where they are.
   input.resolved = resolved_scene(input.scene, fs::absolute(file).parent_path());
-  input.hash = scene_hash(resolved_scene(input.scene), input_files(input.scene, file.parent_path()));
+  input.hash = hash_of(input.scene, file);
   input.device = choose_device(arguments.device, input.scene.grid);
   input.directory = arguments.output.empty() ? default_output_directory(file) : fs::path(arguments.output);
   return input;

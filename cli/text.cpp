@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <regex>
 
 namespace sandsim::cli {
 
@@ -96,6 +97,13 @@ std::string join(std::string_view separator, const std::vector<std::string>& par
     all += (all.empty() ? "" : std::string(separator)) + part;
   }
   return all;
+}
+
+std::string shell_word(const std::string& text) {
+  if (!text.empty() && text.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos) {
+    return text;
+  }
+  return "'" + std::regex_replace(text, std::regex("'"), "'\\''") + "'";
 }
 
 std::optional<double> parse_wall_clock(std::string_view text) {

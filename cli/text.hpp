@@ -22,6 +22,9 @@ std::string format_rate(double cell_steps_per_second);
 /// "depth, velocity".
 std::string join(std::string_view separator, const std::vector<std::string>& parts);
 
+/// The text as one word for a shell.
+std::string shell_word(const std::string& text);
+
 /// Seconds in "HH:MM:SS", where hours may have any number of digits; nothing if the text has another form or is zero.
 std::optional<double> parse_wall_clock(std::string_view text);
 

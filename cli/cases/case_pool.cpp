@@ -34,8 +34,7 @@ std::vector<std::string> run_arguments(const CaseJob& job) {
   for (const std::string& text : job.overrides) {
     words.insert(words.end(), {"--set", text});
   }
-  std::error_code ignored;
-  const bool resumes = job.resume && fs::exists(OutputFiles(job.output).checkpoint, ignored);
+  const bool resumes = job.resume && can_resume_case(job.output);
   words.insert(words.end(), {"-o", job.output.string(), resumes ? "--resume" : "--overwrite", "-q"});
   words.insert(words.end(), job.options.begin(), job.options.end());
   return words;
@@ -51,7 +50,7 @@ class Pool {
 
   PoolResult run() {
     while (!running_.empty() || (!waiting_.empty() && !result_.interrupted)) {
-      if (signals_.interrupted() && !result_.interrupted) interrupt();
+      if (!result_.interrupted) look_for_an_end();
       if (!result_.interrupted) start_some();
       collect();
       tick();
@@ -68,8 +67,11 @@ class Pool {
     std::unique_ptr<CaseProcess> process;
   };
 
-  void interrupt() {
+  void look_for_an_end() {
+    const bool at_limit = settings_.max_wall > 0.0 && seconds(Clock::now() - begin_) >= settings_.max_wall;
+    if (!signals_.interrupted() && !at_limit) return;
     result_.interrupted = true;
+    result_.interrupted_by_limit = !signals_.interrupted();
     result_.signal = signals_.name();
     for (const Running& running : running_) running.process->send(SIGTERM);
   }
@@ -153,6 +155,13 @@ class Pool {
 };
 
 }  // namespace
+
+bool can_resume_case(const fs::path& directory) {
+  // A series that is whole without a report beside it was cut short by a kill in its last moment: done anew.
+  std::error_code ignored;
+  const OutputFiles files(directory);
+  return fs::exists(files.checkpoint, ignored) && !fs::exists(files.series, ignored);
+}
 
 PoolResult run_cases(std::span<const CaseJob> jobs, const PoolSettings& settings, const PoolObserver& observer) {
   return Pool(jobs, settings, observer).run();

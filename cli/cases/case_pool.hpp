@@ -49,6 +49,7 @@ struct PoolObserver {
 struct PoolSettings {
   int parallel = 1;                                     // processes at a time
   std::filesystem::path executable = "/proc/self/exe";  // the sandsim that runs the cases
+  double max_wall = 0.0;                                // [s] ends the pool as a signal would; 0: no limit
   /// Asked before a case starts; true: it need not run any more, since another process has finished it.
   std::function<bool(std::size_t index)> is_finished_elsewhere;
 };
@@ -56,9 +57,13 @@ struct PoolSettings {
 struct PoolResult {
   std::vector<CaseOutcome> outcomes;  // one a job, in the order of the jobs
   bool interrupted = false;
+  bool interrupted_by_limit = false;
   std::string signal;         // name of the signal that did so
   double wall_seconds = 0.0;  // [s]
 };
+
+/// True if the directory holds a run that was interrupted and left a checkpoint.
+bool can_resume_case(const std::filesystem::path& directory);
 
 /// Runs every job as `sandsim run ... -q`, `parallel` at a time, in the order given. A case that fails or crashes is an
 /// outcome; the others go on. SIGINT, SIGTERM and SIGHUP start no more cases and reach the running ones, which write

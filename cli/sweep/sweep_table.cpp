@@ -1,0 +1,131 @@
+#include "cli/sweep/sweep_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "io/output/run_report.hpp"
+#include "io/output/version.hpp"
+
+namespace sandsim::cli {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+Column text_column(const std::string& name, const std::string& long_name, const std::vector<CaseState>& states,
+                   const std::function<std::string(const CaseState&)>& value) {
+  std::vector<std::string> values;
+  for (const CaseState& state : states) values.push_back(value(state));
+  return {name, "", long_name, "", std::move(values)};
+}
+
+/// A varied key: numbers if all its values are numbers with the same unit.
+Column parameter_column(const Sweep& sweep, std::size_t key) {
+  Column column{sweep.keys[key], "", "varied value of " + sweep.keys[key], "parameter", {}};
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  for (const SweepCase& one : sweep.cases) {
+    texts.push_back(one.values[key]);
+    const std::optional<NumberWithUnit> number = number_with_unit(one.values[key]);
+    if (!number || (!numbers.empty() && number->unit != column.units)) continue;
+    column.units = number->unit;
+    numbers.push_back(number->number);
+  }
+  if (numbers.size() == texts.size()) {
+    column.values = std::move(numbers);
+  } else {
+    column.units.clear();
+    column.values = std::move(texts);
+  }
+  return column;
+}
+
+using Metric = std::function<double(const CaseReport&)>;
+
+void add_metric(Table& table, const std::vector<CaseState>& states, const std::string& name, const std::string& units,
+                const std::string& long_name, const Metric& metric) {
+  std::vector<double> values;
+  for (const CaseState& state : states) values.push_back(state.report ? metric(*state.report) : none);
+  const bool given = std::any_of(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+  if (given) table.columns.push_back({name, units, long_name, "metric", std::move(values)});
+}
+
+Metric of_deposit(double Deposit::*member) {
+  return [member](const CaseReport& report) { return report.deposit ? (*report.deposit).*member : none; };
+}
+
+Metric of_error(std::optional<double> ErrorReport::*norm) {
+  return [norm](const CaseReport& report) {
+    return report.run.errors.empty() ? none : (report.run.errors.front().*norm).value_or(none);
+  };
+}
+
+double front_error(const CaseReport& report) {
+  for (const ErrorReport& error : report.run.errors) {
+    for (const ErrorReport::Front& front : error.fronts) {
+      if (front.reference) return front.computed - *front.reference;
+    }
+  }
+  return none;
+}
+
+void add_metrics(Table& table, const std::vector<CaseState>& states) {
+  const auto add = [&](const char* name, const char* units, const char* long_name, const Metric& metric) {
+    add_metric(table, states, name, units, long_name, metric);
+  };
+  const std::string outline =
+      fmt::format("deeper than {:g} % of the largest depth of the run", 100 * deposit_threshold);
+  add("front", "m", ("largest x of the deposit, " + outline).c_str(), of_deposit(&Deposit::front));
+  add("deposit_height", "m", "largest depth at the end", of_deposit(&Deposit::height));
+  add("runout", "m", ("largest distance of the deposit from where the sand was released, " + outline).c_str(),
+      of_deposit(&Deposit::runout));
+  add("stop_time", "s", "first moment from which nothing moved; none if the run ended before",
+      [](const CaseReport& report) { return report.run.at_rest ? report.run.stop_time : none; });
+  add("error_l1", "m^2", "L1 error against the first reference", of_error(&ErrorReport::l1));
+  add("error_l2", "m^1.5", "L2 error against the first reference", of_error(&ErrorReport::l2));
+  add("error_linf", "m", "largest error against the first reference", of_error(&ErrorReport::linf));
+  add("error_l1_relative", "1", "L1 error over the norm of the first reference", of_error(&ErrorReport::l1_relative));
+  add("error_front", "m", "front minus that of the first reference that has one", front_error);
+  add("volume_error", "1", "relative drift of the volume",
+      [](const CaseReport& report) { return report.run.ledger.error(); });
+  add("max_slope_violation", "1", "steepest face over what friction holds, minus 1, at the end",
+      [](const CaseReport& report) { return report.run.at_rest ? report.run.max_slope_violation : none; });
+  add("simulated_time", "s", "simulated time", [](const CaseReport& report) { return report.run.simulated_time; });
+  add("steps", "1", "time steps", [](const CaseReport& report) { return static_cast<double>(report.run.steps); });
+  add("wall_time", "s", "wall-clock time of the run", [](const CaseReport& report) { return report.run.wall_time; });
+}
+
+}  // namespace
+
+Table sweep_table(const Sweep& sweep, const std::vector<CaseState>& states, const std::string& command_line) {
+  Table table;
+  table.dimension = "case";
+  std::vector<std::int64_t> numbers, codes;
+  std::vector<std::string> folders;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    numbers.push_back(static_cast<std::int64_t>(k + 1));
+    codes.push_back(states[k].exit_code);
+    folders.push_back(sweep.cases[k].folder);
+  }
+  table.columns.push_back({"case", "", "number of the case", "", std::move(numbers)});
+  for (std::size_t key = 0; key < sweep.keys.size(); ++key) table.columns.push_back(parameter_column(sweep, key));
+  table.columns.push_back(
+      text_column("status", "how the run ended", states, [](const CaseState& state) { return state.status; }));
+  table.columns.push_back({"exit_code", "", "exit code of the run", "", std::move(codes)});
+  add_metrics(table, states);
+  table.columns.push_back(
+      text_column("message", "why a run failed", states, [](const CaseState& state) { return state.message; }));
+  table.columns.push_back({"folder", "", "folder of the results", "", std::move(folders)});
+  table.attributes = {{"Conventions", "CF-1.10"},
+                      {"title", "Sweep of " + sweep.scene.string()},
+                      {"source", source_line()},
+                      {"history", time_stamp() + " " + command_line},
+                      {"scene_file", sweep.scene.string()}};
+  return table;
+}
+
+}  // namespace sandsim::cli
