@@ -1,10 +1,11 @@
-"""Reads what a run of sandsim leaves behind. The one module that knows the files: series.h5 and run.json.
+"""Reads what sandsim leaves behind. The one module that knows the files: series.h5, run.json, summary.h5.
 
     series = Series("results/flume")          # a result folder, a series.h5 or a series.h5.partial
     series.time, series.x, series.y           # [s], [m], [m]
     series.depth(-1)                          # (y, x) [m], the last frame
     series.numbers["kinetic_energy"]          # one value a frame
     series.report["volume_error"]             # run.json
+    Summary("results/sweep")["runout"]        # a sweep: one value a case
 """
 
 import json
@@ -130,6 +131,37 @@ class Series:
         if name in self._h5:
             return self._h5[name][:]
         return None if default is None else np.full((self.y.size, self.x.size), default)
+
+
+class Summary:
+    """The table of a sweep (summary.h5): columns by their names, one value a case."""
+
+    def __init__(self, directory):
+        self.directory = Path(directory)
+        self.parameters = []                                # names of what was varied
+        self.metrics = []                                   # names of what came of it
+        self._columns, self._units = {}, {}
+        with h5py.File(self.directory / "summary.h5", "r") as file:
+            scene = Path(_text(file.attrs["scene_file"]))
+            for name, column in file.items():
+                values = column[:]
+                self._columns[name] = values if values.dtype.kind in "fi" else np.array([_text(v) for v in values])
+                self._units[name] = _text(column.attrs.get("units", ""))
+                role = _text(column.attrs.get("role", ""))
+                if role:
+                    {"parameter": self.parameters, "metric": self.metrics}[role].append(name)
+        self.title = scene.parent.name if scene.stem == "scene" else scene.stem
+
+    def __getitem__(self, name):
+        return self._columns[name]
+
+    def units(self, name):
+        return self._units[name]
+
+    def label(self, name):
+        """The name with its unit, for an axis."""
+        units = self._units[name]
+        return f"{name.replace('_', ' ')} [{units}]" if units not in ("", "1") else name.replace("_", " ")
 
 
 def _open(path):

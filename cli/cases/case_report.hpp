@@ -9,14 +9,15 @@
 
 namespace sandsim::cli {
 
-/// The deposit: the last frame that a case has kept. Cells count as sand where it is deeper than `deposit_threshold`.
+/// The deposit: the last frame that a case has kept. Its outline is where the depth, taken as linear between the
+/// centres of cells, falls to `deposit_threshold`.
 struct Deposit {
-  double front = 0.0;   // [m] largest x of the sand, a cell's centre
+  double front = 0.0;   // [m] largest x of the outline
   double height = 0.0;  // [m] largest depth
-  double runout = 0.0;  // [m] largest distance of sand from the centre of mass of the first frame that has any
+  double runout = 0.0;  // [m] largest distance of the outline from the centre of mass of the first frame that has any
 };
 
-/// [-] of the largest depth in any frame: what is thinner is not part of a deposit's outline.
+/// [-] of the largest depth in the first frame with sand and the last one: what is thinner is not part of the outline.
 inline constexpr double deposit_threshold = 0.01;
 
 struct CaseReport {

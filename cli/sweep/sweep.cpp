@@ -6,10 +6,12 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "cli/input_files.hpp"
 #include "cli/text.hpp"
 #include "io/output/scene_hash.hpp"
+#include "io/scene/node.hpp"
 #include "io/scene/scene_reader.hpp"
 #include "solver/errors.hpp"
 
@@ -21,12 +23,24 @@ std::string folder_of(const std::string& hash) {
   return "cases/" + hash.substr(hash.find(':') + 1);
 }
 
-/// The reader calls every override "--set"; to the user this one is a value of --vary.
-std::string in_terms_of_vary(const std::string& line, const std::vector<std::string>& varied) {
+/// The reader calls every override "--set"; to the user those that vary are values of --vary.
+std::string in_terms_of_vary(const std::string& message, const std::vector<std::string>& varied) {
   const std::string option = "--set ";
-  const bool is_varied = std::any_of(varied.begin(), varied.end(),
-                                     [&](const std::string& text) { return line.starts_with(option + text + ':'); });
-  return is_varied ? "--vary " + line.substr(option.size()) : line;
+  std::istringstream lines(message);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_varied = std::any_of(varied.begin(), varied.end(), [&](const std::string& text) {
+      return line.starts_with(option + shown(text, 200) + ':');
+    });
+    result += (result.empty() ? "" : "\n") + (is_varied ? "--vary " + line.substr(option.size()) : line);
+  }
+  return result;
+}
+
+/// A message without its numbers: ten values that lack a unit are one problem.
+std::string without_digits(std::string line) {
+  std::erase_if(line, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
+  return line;
 }
 
 void require_distinct(const Sweep& sweep) {
@@ -70,7 +84,8 @@ SweepCase resolve_case(const Sweep& sweep, const std::vector<std::string>& value
     const auto references = reference_files(scene, sweep.scene.parent_path());
     result.folder = folder_of(references.empty() ? result.scene_hash : scene_hash(result.scene_hash, references));
   } catch (const SceneError& error) {
-    result.problem = error.what();
+    const Sweep varied{{}, {}, sweep.keys, {}};
+    result.problem = in_terms_of_vary(error.what(), varied.overrides_of(result));
     result.folder = folder_of(scene_hash("invalid\n" + join("\n", overrides), {}));
   }
   return result;
@@ -93,11 +108,9 @@ std::string problems_of(const Sweep& sweep) {
   for (const SweepCase& one : sweep.cases) {
     if (one.problem.empty()) continue;
     ++invalid;
-    const Sweep varied{{}, {}, sweep.keys, {}};
     std::istringstream lines(one.problem);
     for (std::string line; std::getline(lines, line);) {
-      line = in_terms_of_vary(line, varied.overrides_of(one));
-      if (seen.insert(line).second && seen.size() <= most) text += line + '\n';
+      if (seen.insert(without_digits(line)).second && seen.size() <= most) text += line + '\n';
     }
   }
   if (invalid == 0) return {};

@@ -58,7 +58,7 @@ void print_failures(const OpenSweep& open, const std::vector<CaseState>& states,
 void conclude(const SweepArguments& arguments, const OpenSweep& open, const std::vector<CaseState>& states,
               Console& console) {
   if (!arguments.quiet) {
-    console.out << fmt::format("{}: {} ({})\n", open.sweep.scene.string(), counts_line(count(states)),
+    console.out << fmt::format("{}: {} ({})\n", open.sweep.scene.string(), counts_line(count(states), "not run"),
                                join(", ", open.sweep.keys));
     print_failures(open, states, console.out);
   }
@@ -135,7 +135,7 @@ class SweepRun {
 
   PoolResult run_chosen(const SweepCounts& before) {
     using Mode = SweepDisplay::Mode;
-    const Shares shares = shares_of(arguments_, chosen_.size());
+    const Shares shares = shares_of(arguments_, states_.size());
     const Mode mode = arguments_.quiet ? Mode::none : console_.terminal ? Mode::table : Mode::lines;
     SweepDisplay display(console_.err, mode, open_.sweep, before);
     PoolSettings settings;

@@ -32,7 +32,7 @@ std::string bar(double fraction) {
 
 }  // namespace
 
-std::string counts_line(const SweepCounts& counts) {
+std::string counts_line(const SweepCounts& counts, const char* rest) {
   std::string text = fmt::format("{} of {} done", counts.done, counts.total);
   const auto add = [&text](std::size_t number, const char* word) {
     if (number > 0) text += fmt::format(", {} {}", number, word);
@@ -40,7 +40,7 @@ std::string counts_line(const SweepCounts& counts) {
   add(counts.failed, "failed");
   add(counts.interrupted, "interrupted");
   add(counts.running, "running");
-  add(counts.waiting(), "waiting");
+  add(counts.waiting(), rest);
   return text;
 }
 
@@ -104,7 +104,8 @@ void SweepDisplay::update(std::span<const RunningCase> running) {
   const double left =
       ended > 0.0 ? elapsed / ended * static_cast<double>(counts_.waiting() + counts_.running) : INFINITY;
   std::string text =
-      fmt::format("{}   {}  left {}", counts_line(counts_), format_clock(elapsed), format_clock(left)).substr(0, width);
+      fmt::format("{}   {}  left {}", counts_line(counts_, "waiting"), format_clock(elapsed), format_clock(left))
+          .substr(0, width);
   text += '\n';
   const std::size_t shown = std::min(running.size(), size.rows > 3 ? size.rows - 3 : 0);
   for (std::size_t k = 0; k < shown; ++k) text += row(running[k], width) + '\n';

@@ -24,8 +24,8 @@ struct SweepCounts {
   std::size_t waiting() const { return total - done - failed - interrupted - running; }
 };
 
-/// "12 of 64 done, 1 failed, 2 running, 49 waiting".
-std::string counts_line(const SweepCounts& counts);
+/// "12 of 64 done, 1 failed, 2 running, 49 waiting"; `rest` is the word for the last of these.
+std::string counts_line(const SweepCounts& counts, const char* rest);
 
 /// On a terminal a table of the running cases that redraws itself; elsewhere a line for each case that has ended.
 class SweepDisplay {

@@ -78,7 +78,7 @@ void add_metrics(Table& table, const std::vector<CaseState>& states) {
     add_metric(table, states, name, units, long_name, metric);
   };
   const std::string outline =
-      fmt::format("deeper than {:g} % of the largest depth of the run", 100 * deposit_threshold);
+      fmt::format("deeper than {:g} % of the largest depth at the start and the end", 100 * deposit_threshold);
   add("front", "m", ("largest x of the deposit, " + outline).c_str(), of_deposit(&Deposit::front));
   add("deposit_height", "m", "largest depth at the end", of_deposit(&Deposit::height));
   add("runout", "m", ("largest distance of the deposit from where the sand was released, " + outline).c_str(),

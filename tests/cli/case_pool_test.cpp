@@ -141,8 +141,9 @@ reference: {front_depths: [0.5 mm]}
   // A step of 1 mm on cells of 1 cm is less steep than 45 deg: the box stays as it is, up to float32.
   REQUIRE(report->deposit);
   CHECK_THAT(report->deposit->height, WithinAbs(1e-3, 1e-9));
-  CHECK_THAT(report->deposit->front, WithinAbs(0.075, 1e-12));
-  CHECK_THAT(report->deposit->runout, WithinAbs(0.015, 1e-8));
+  // From the last centre at 7.5 cm to the next one the depth falls to a hundredth: 0.99 of a cell further.
+  CHECK_THAT(report->deposit->front, WithinAbs(0.0849, 1e-9));
+  CHECK_THAT(report->deposit->runout, WithinAbs(0.0249, 1e-8));
   CHECK_FALSE(read_case_report(cases.folder / "nothing"));
   write_text(cases.folder / "broken" / "run.json", "{\"status\": ");
   CHECK_FALSE(read_case_report(cases.folder / "broken"));
