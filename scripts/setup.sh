@@ -7,7 +7,8 @@ python=/usr/bin/python3                # Debian's own: it sees the python3-* pac
 
 run_packages=(cmake ninja-build g++ git libyaml-cpp-dev libcli11-dev libhdf5-dev libfmt-dev libspdlog-dev
               python3 python3-numpy python3-matplotlib python3-h5py python3-yaml ffmpeg)
-test_packages=(catch2 python3-scipy python3-xarray python3-h5netcdf python3-netcdf4 python3-jsonschema)
+test_packages=(catch2 python3-scipy python3-xarray python3-h5netcdf python3-netcdf4 python3-jsonschema
+               munge slurmctld slurmd slurm-client)
 # Clang is there for the fuzz targets: the release whose C++20 goes with the system's standard library.
 clang_debian=(clang-14 libclang-rt-14-dev libomp-14-dev)
 clang_ubuntu=(clang-18 libclang-rt-18-dev libomp-18-dev)

@@ -95,7 +95,7 @@ TEST_CASE("file names can be moved into a folder") {
 TEST_CASE("every scene that ships reads and resolves to itself") {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(SANDSIM_SOURCE_DIR "/scenes")) {
-    // Beside the scenes there are files that describe studies of them.
+    // Beside the scenes there are files that describe studies and sweeps of them.
     if (entry.path().extension() != ".yaml" || !entry.path().filename().string().starts_with("scene")) continue;
     CAPTURE(entry.path());
     const std::string resolved = resolved_scene(read_scene(entry.path()));
