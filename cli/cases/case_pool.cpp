@@ -89,7 +89,7 @@ class Pool {
     const Clock::time_point now = Clock::now();
     CaseOutcome& outcome = result_.outcomes[index];
     try {
-      const CaseLock lock(jobs_[index].output);
+      const FileLock lock = lock_case(jobs_[index].output);
       if (!lock.taken()) return false;
       outcome.started = true;
       outcome.begin = seconds(now - begin_);

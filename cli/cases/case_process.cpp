@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -14,7 +13,6 @@
 #include <cstring>
 #include <sstream>
 #include <string_view>
-#include <utility>
 
 #include "solver/errors.hpp"
 
@@ -69,26 +67,14 @@ std::string AnonymousFile::text() const {
   return text;
 }
 
-CaseLock::CaseLock(const fs::path& directory) {
+FileLock lock_case(const fs::path& directory) {
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw OutputError(fmt::format("{}: could not be created ({})", directory.string(), error.message()));
-  const fs::path file = directory / "case.lock";
-  descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) {
-    throw OutputError(fmt::format("{}: could not create the file ({})", file.string(), std::strerror(errno)));
-  }
-  taken_ = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  return FileLock(directory / "case.lock", FileLock::Mode::try_once);
 }
 
-CaseLock::CaseLock(CaseLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), taken_(std::exchange(other.taken_, false)) {}
-
-CaseLock::~CaseLock() {
-  if (descriptor_ >= 0) close(descriptor_);
-}
-
-CaseProcess::CaseProcess(const fs::path& executable, const std::vector<std::string>& arguments, const CaseLock& lock)
+CaseProcess::CaseProcess(const fs::path& executable, const std::vector<std::string>& arguments, const FileLock& lock)
     : errors_("sandsim case errors"), progress_("sandsim case progress") {
   std::vector<std::string> words{"sandsim"};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "io/output/file_lock.hpp"
+
 namespace sandsim::cli {
 
 /// How far a run has come. [s] simulated
@@ -34,23 +36,9 @@ class AnonymousFile {
   int descriptor_;
 };
 
-/// A directory's lock, "case.lock": held by whoever has the file open, so it ends with its holder, however that ends.
-class CaseLock {
- public:
-  /// Makes the directory if need be. Throws OutputError.
-  explicit CaseLock(const std::filesystem::path& directory);
-  ~CaseLock();
-  CaseLock(CaseLock&& other) noexcept;
-  CaseLock& operator=(CaseLock&&) = delete;
-
-  /// False if another process holds it.
-  bool taken() const { return taken_; }
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-  bool taken_;
-};
+/// The lock of a case's directory, "case.lock", tried once: held while a process works on the case. Makes the directory
+/// if need be. Throws OutputError.
+FileLock lock_case(const std::filesystem::path& directory);
 
 /// A sandsim command as a child process in a process group of its own, so that Ctrl-C reaches it through its parent
 /// only. When the parent dies, however suddenly, the child gets SIGTERM and writes its checkpoint. It starts with the
@@ -58,7 +46,7 @@ class CaseLock {
 class CaseProcess {
  public:
   /// Starts EXECUTABLE ARGUMENTS --progress-fd N. The lock passes to the child. Throws DeviceError.
-  CaseProcess(const std::filesystem::path& executable, const std::vector<std::string>& arguments, const CaseLock& lock);
+  CaseProcess(const std::filesystem::path& executable, const std::vector<std::string>& arguments, const FileLock& lock);
   ~CaseProcess();
   CaseProcess(const CaseProcess&) = delete;
   CaseProcess& operator=(const CaseProcess&) = delete;

@@ -215,7 +215,7 @@ ExitCode run_one(const SweepArguments& arguments, const OpenSweep& open, Console
   const SweepCase& one = open.sweep.cases[number - 1];
   if (!one.problem.empty()) throw SceneError(one.problem);
   const fs::path folder = open.files.directory / one.folder;
-  const CaseLock lock(folder);
+  const FileLock lock = lock_case(folder);
   if (!lock.taken()) throw OutputError(fmt::format("case {}: another process is running it", number));
   if (read_case_state(open.sweep, number - 1, open.files.directory).kind == Kind::done) {
     if (!arguments.quiet) console.out << fmt::format("case {} is done already\n", number);

@@ -1,14 +1,9 @@
 #include "cli/sweep/sweep_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <set>
 
 #include "cli/text.hpp"
@@ -85,6 +80,17 @@ void replace_or_refuse(const Sweep& earlier, const Sweep& sweep, const SweepFile
       files.directory.string()));
 }
 
+/// Nothing is there, or only the lock of a sweep that ended before it had written anything.
+bool is_free(const SweepFiles& files) {
+  std::error_code error;
+  if (!fs::exists(files.directory, error)) return true;
+  if (!fs::is_directory(files.directory, error)) return false;
+  const fs::directory_iterator entries(files.directory, error);
+  return !error && std::all_of(begin(entries), end(entries), [&](const fs::directory_entry& entry) {
+    return entry.path().filename() == files.lock.filename();
+  });
+}
+
 }  // namespace
 
 SweepFiles::SweepFiles(const fs::path& in)
@@ -122,37 +128,25 @@ Sweep read_manifest(const SweepFiles& files) {
   }
 }
 
-std::unique_ptr<SweepLock> prepare_sweep_directory(const Sweep& sweep, const SweepFiles& files, bool overwrite) {
-  std::error_code ignored;
-  std::unique_ptr<SweepLock> lock;
-  if (holds_sweep(files.directory)) {
-    lock = std::make_unique<SweepLock>(files);  // before anything is removed
-    replace_or_refuse(read_manifest(files), sweep, files, overwrite);
-  } else if (fs::exists(files.directory, ignored) &&
-             !(fs::is_directory(files.directory, ignored) && fs::is_empty(files.directory, ignored))) {
+FileLock lock_sweep(const SweepFiles& files) {
+  FileLock lock(files.lock, FileLock::Mode::try_once);
+  if (lock.taken()) return lock;
+  throw OutputError(fmt::format("{}: another process is at work on this sweep\n  wait for it, or end it first",
+                                files.directory.string()));
+}
+
+FileLock prepare_sweep_directory(const Sweep& sweep, const SweepFiles& files, bool overwrite) {
+  const fs::path& directory = files.directory;
+  const bool is_earlier = holds_sweep(directory);
+  if (!is_earlier && !is_free(files)) {
     throw OutputError(
-        fmt::format("{}: is not empty, and holds no sweep. Name another directory with -o", files.directory.string()));
+        fmt::format("{}: is not empty, and holds no sweep. Name another directory with -o", directory.string()));
   }
-  prepare_output_directory(files.directory, false, true);
-  if (!lock) lock = std::make_unique<SweepLock>(files);
+  prepare_output_directory(directory, false, true);
+  FileLock lock = lock_sweep(files);  // before anything is removed
+  if (is_earlier) replace_or_refuse(read_manifest(files), sweep, files, overwrite);
   write_file_atomically(files.manifest, manifest_text(sweep));
   return lock;
-}
-
-SweepLock::SweepLock(const SweepFiles& files)
-    : descriptor_(open(files.lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (descriptor_ < 0) {
-    throw OutputError(fmt::format("{}: could not create the file ({})", files.lock.string(), std::strerror(errno)));
-  }
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    close(descriptor_);
-    throw OutputError(fmt::format("{}: another process is at work on this sweep\n  wait for it, or end it first",
-                                  files.directory.string()));
-  }
-}
-
-SweepLock::~SweepLock() {
-  close(descriptor_);
 }
 
 }  // namespace sandsim::cli

@@ -5,9 +5,9 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "cli/sweep/sweep.hpp"
+#include "io/output/file_lock.hpp"
 
 namespace sandsim::cli {
 
@@ -28,23 +28,13 @@ bool holds_sweep(const std::filesystem::path& directory);
 /// Reads sweep.json. Throws InputError.
 Sweep read_manifest(const SweepFiles& files);
 
-/// The sweep's lock; throws OutputError if another process holds it. Closed with the process, however that ends.
-class SweepLock {
- public:
-  explicit SweepLock(const SweepFiles& files);
-  ~SweepLock();
-  SweepLock(const SweepLock&) = delete;
-  SweepLock& operator=(const SweepLock&) = delete;
-
- private:
-  int descriptor_;
-};
+/// The sweep's lock; throws OutputError if another process holds it.
+FileLock lock_sweep(const SweepFiles& files);
 
 /// Makes the directory ready for the sweep and writes sweep.json into it. One that holds the same sweep, or a part of
 /// it, keeps its cases; one that holds another sweep or anything else is refused unless `overwrite` is set, which
 /// removes the results of the cases that were there, and nothing else. Returns the lock of the sweep, to be kept while
 /// its cases run. Throws OutputError.
-[[nodiscard]] std::unique_ptr<SweepLock> prepare_sweep_directory(const Sweep& sweep, const SweepFiles& files,
-                                                                 bool overwrite);
+[[nodiscard]] FileLock prepare_sweep_directory(const Sweep& sweep, const SweepFiles& files, bool overwrite);
 
 }  // namespace sandsim::cli

@@ -80,7 +80,7 @@ OpenSweep open_existing(const SweepArguments& arguments) {
                     arguments.scene, arguments.scene));
   }
   const SweepFiles files{fs::path(arguments.scene)};
-  return {read_manifest(files), files, nullptr};
+  return {read_manifest(files), files, std::nullopt};
 }
 
 /// Whether the action runs all cases, or writes the sweep anew.
@@ -99,10 +99,11 @@ OpenSweep open_new(const SweepArguments& arguments) {
   read_options(plan, arguments);
   require_few(plan, arguments.yes);
   OpenSweep open{resolve_sweep(plan),
-                 SweepFiles(arguments.output.empty() ? default_directory(file) : fs::path(arguments.output)), nullptr};
+                 SweepFiles(arguments.output.empty() ? default_directory(file) : fs::path(arguments.output)),
+                 std::nullopt};
   require_valid(open.sweep, arguments);
   if (!arguments.list) {
-    open.lock = prepare_sweep_directory(open.sweep, open.files, arguments.overwrite);
+    open.lock.emplace(prepare_sweep_directory(open.sweep, open.files, arguments.overwrite));
   }
   return open;
 }
@@ -114,7 +115,7 @@ OpenSweep open_sweep(const SweepArguments& arguments) {
   if (!needs_all(arguments)) {
     open.lock.reset();
   } else if (!open.lock) {
-    open.lock = std::make_unique<SweepLock>(open.files);
+    open.lock.emplace(lock_sweep(open.files));
   }
   return open;
 }

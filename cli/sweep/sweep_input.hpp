@@ -1,7 +1,7 @@
 // From the command line to a sweep and its folder.
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "cli/options.hpp"
 #include "cli/sweep/sweep_folder.hpp"
@@ -12,7 +12,7 @@ namespace sandsim::cli {
 struct OpenSweep {
   Sweep sweep;
   SweepFiles files;
-  std::unique_ptr<SweepLock> lock;  // empty for actions that share the sweep with others: --case, --collect, --list
+  std::optional<FileLock> lock;  // none for actions that share the sweep with others: --case, --collect, --list
 };
 
 /// Number of cases above which --yes is needed.

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "io/output/atomic_file.hpp"
+#include "io/output/file_lock.hpp"
 #include "io/output/scene_hash.hpp"
 #include "solver/objects/mesh.hpp"
 
@@ -106,6 +107,9 @@ CachedMesh bake_with_cache(const objects::TriangleMesh& mesh, int resolution, co
                            const std::function<void(double)>& progress) {
   const std::uint64_t key = key_of(mesh, resolution);
   const std::filesystem::path file = folder / fmt::format("baked-{:016x}.bin", key);
+  if (std::optional<objects::BakedMesh> kept = decode(content(file), key)) return {std::move(*kept), true, file};
+  // Cases of a sweep want the same mesh at the same time: one bakes it, the others wait and find it.
+  const FileLock lock(folder, FileLock::Mode::wait);
   if (std::optional<objects::BakedMesh> kept = decode(content(file), key)) return {std::move(*kept), true, file};
   CachedMesh result{objects::bake(mesh, resolution, progress), false, file};
   write_file_atomically(file, encode(result.baked, key));

@@ -105,9 +105,9 @@ TEST_CASE("a signal starts no more cases and reaches the running ones, which can
 TEST_CASE("a case whose directory another process has locked waits for it") {
   const Cases cases;
   const std::vector<CaseJob> jobs{cases.job("locked"), cases.job("free")};
-  auto lock = std::make_unique<CaseLock>(cases.folder / "locked");
+  auto lock = std::make_unique<sandsim::FileLock>(lock_case(cases.folder / "locked"));
   REQUIRE(lock->taken());
-  CHECK_FALSE(CaseLock(cases.folder / "locked").taken());
+  CHECK_FALSE(lock_case(cases.folder / "locked").taken());
   std::vector<std::size_t> order;
   PoolObserver observer;
   observer.ended = [&](std::size_t index, const CaseOutcome&) {

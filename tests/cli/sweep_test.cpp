@@ -203,6 +203,11 @@ TEST_CASE("a directory that holds something else is refused and left alone") {
   CHECK(read_text(kept / "notes.txt") == "mine");
   CHECK(finished_cases(place.results).size() == 2);
 
+  // What a sweep that could not even write what it is has left is no obstacle.
+  write_text(place.folder / "begun" / "sweep.lock", "");
+  CHECK(call({"sweep", place.scene.string(), "-o", (place.folder / "begun").string(), "--vary", "gravity=9,10 m/s^2",
+              "--expand"})
+            .code == 0);
   write_text(place.folder / "mine" / "thesis.txt", "chapter 1");
   const Outcome mine = call({"sweep", place.scene.string(), "-o", (place.folder / "mine").string(), "--vary",
                              "gravity=9,10 m/s^2", "--overwrite"});
