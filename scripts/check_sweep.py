@@ -1,0 +1,75 @@
+"""What a sweep leaves can be read and drawn: by the plots' own reader, and by xarray."""
+
+import csv
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import xarray
+
+from plotting import ROOT, sandsim
+from sandsim_series import Series, Summary
+
+PYTHON = "/usr/bin/python3"
+SCENE = ROOT / "scenes/pile_sweep/scene.yaml"
+SMALL = ("--set", "grid.cells=[16, 16]", "--set", "grid.spacing=5 cm")
+
+
+class Sweeps(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name) / "sweep"
+
+    def sweep(self, *options, code=0):
+        done = subprocess.run([sandsim(), "sweep", str(SCENE), "-o", str(self.folder), "-q", *SMALL, *options],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return Summary(self.folder)
+
+    def draw(self, *options):
+        picture = self.folder / "picture.png"
+        subprocess.run([PYTHON, str(ROOT / "scripts/plot_sweep.py"), str(self.folder), "-o", str(picture), *options],
+                       check=True, capture_output=True)
+        self.assertGreater(picture.stat().st_size, 5000)
+
+    def test_the_summary_says_what_the_cases_hold(self):
+        summary = self.sweep("--vary", "sand.friction_angle=20,30 deg", "--vary", "sand.hbar.scale=0.5,1")
+        self.assertEqual(summary.parameters, ["sand.friction_angle", "sand.hbar.scale"])
+        self.assertEqual(summary.units("sand.friction_angle"), "deg")
+        np.testing.assert_array_equal(summary["sand.friction_angle"], [20, 20, 30, 30])
+        for number, folder in enumerate(summary["folder"]):
+            with Series(self.folder / folder) as series:
+                last = series.depth(-1)
+                self.assertAlmostEqual(summary["deposit_height"][number], last.max(), 12)
+                self.assertEqual(summary["steps"][number], series.report["steps"])
+                self.assertEqual(summary["stop_time"][number], series.report["stop_time"])
+                # The outline lies within a cell of the outermost cell that is deep enough.
+                deep = last > 0.01 * max(last.max(), series.depth(0).max())
+                edge = series.x[deep.any(axis=0)].max()
+                self.assertTrue(edge <= summary["front"][number] <= edge + series.spacing)
+        with xarray.open_dataset(self.folder / "summary.h5") as data:
+            self.assertEqual(data["runout"].dims, ("case",))
+            self.assertEqual(data["runout"].attrs["units"], "m")
+            np.testing.assert_array_equal(data["runout"].values, summary["runout"])
+        with open(self.folder / "summary.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        np.testing.assert_array_equal([float(row["runout [m]"]) for row in rows], summary["runout"])
+        self.draw()
+        self.draw("--metric", "steps")
+
+    def test_one_key_a_sample_and_a_failed_case_are_drawn(self):
+        self.sweep("--vary", "sand.hbar.policy=full,scaled,nonsense", "--set", "sand.hbar.scale=", "--skip-invalid",
+                   "--vary", "sand.friction_angle=20,30 deg", code=2)
+        self.draw()
+        self.sweep("--vary", "sand.friction_angle=20..40 deg", "--vary", "sand.hbar.scale=0.3..1", "--samples", "5",
+                   "--vary", "grid.origin=[0 m, 0 m],[-40 cm, -40 cm]", "--overwrite")
+        self.draw()
+        self.sweep("--vary", "sand.friction_angle=20:30:3 deg", "--overwrite")
+        self.draw()
+
+
+if __name__ == "__main__":
+    unittest.main()
