@@ -49,7 +49,11 @@ using Metric = std::function<double(const CaseReport&)>;
 void add_metric(Table& table, const std::vector<CaseState>& states, const std::string& name, const std::string& units,
                 const std::string& long_name, const Metric& metric) {
   std::vector<double> values;
-  for (const CaseState& state : states) values.push_back(state.report ? metric(*state.report) : none);
+  for (const CaseState& state : states) {
+    // What ended before its first step has a report, but of nothing.
+    const bool has_run = state.report && (state.report->run.steps > 0 || state.kind == CaseState::Kind::done);
+    values.push_back(has_run ? metric(*state.report) : none);
+  }
   const bool given = std::any_of(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
   if (given) table.columns.push_back({name, units, long_name, "metric", std::move(values)});
 }

@@ -23,6 +23,8 @@ time: {end: 2 s, frame_interval: 20 ms, stop_at_rest: true}
 """
 VALUES = "20,95,25,30 deg"     # 95 deg is no friction angle: that case fails
 CASES, FAILING = 4, 2
+ENDLESS = ("--set", "time={end: 1000 s, frame_interval: 20 ms, courant: 0.01}", "--set",
+           "sand.sources=[{center: [20 cm, 0 m], radius: 2 cm, rate: 1 cm^3/s, end: 1000 s}]")
 PATIENCE = 60                  # [s] for a daemon to come up
 
 CONFIGURATION = """ClusterName=sandsim
@@ -140,25 +142,56 @@ def expect(what, value, expected):
         sys.exit(f"{what}: {value!r} instead of {expected!r}")
 
 
-def check(sandsim, folder):
-    work = folder / "work with spaces"
-    work.mkdir()
-    (work / "scene.yaml").write_text(SCENE)
-    results = work / "results"
-    subprocess.run([sandsim, "sweep", work / "scene.yaml", "--vary", f"sand.friction_angle={VALUES}", "--skip-invalid",
-                    "--expand", "-o", results], check=True, capture_output=True)
-    with Cluster(folder) as cluster:
-        submitted = cluster.call("sbatch", "--wait", f"--array=1-{CASES}%2", results / "sweep.sbatch")
+def expand(sandsim, work, name, *options):
+    """Writes the scene and the job script; returns the results folder."""
+    results = work / name
+    subprocess.run([sandsim, "sweep", work / "scene.yaml", *options, "--expand", "-o", results], check=True,
+                   capture_output=True)
+    return results
+
+
+def sandsim_sweep(sandsim, *options):
+    return subprocess.run([sandsim, "sweep", *options], capture_output=True, text=True)
+
+
+def check_array(sandsim, cluster, work):
+    """An array in which one case fails: the others are done, and what came of it is collected."""
+    results = expand(sandsim, work, "array", "--vary", f"sand.friction_angle={VALUES}", "--skip-invalid")
+    submitted = cluster.call("sbatch", "--wait", f"--array=1-{CASES}%2", results / "sweep.sbatch")
     expect("exit code of sbatch, which is the failing case's", submitted.returncode, 2)
-    collected = subprocess.run([sandsim, "sweep", results, "--collect"], capture_output=True, text=True)
+    collected = sandsim_sweep(sandsim, results, "--collect")
     expect("exit code of --collect", collected.returncode, 2)
     expect("exit codes", [row["exit_code"] for row in rows(results)],
            ["2" if number == FAILING else "0" for number in range(1, CASES + 1)])
     log = (results / "slurm" / f"{FAILING}.log").read_text()
     expect("whether the failing case's log says why", "95 deg: out of range" in log, True)
-    again = subprocess.run([sandsim, "sweep", results], capture_output=True, text=True)
-    expect("what is left to do", "3 of 4 cases are done already" in again.stderr, True)
+    expect("what is left to do", "3 of 4 cases are done already" in sandsim_sweep(sandsim, results).stderr, True)
     print(collected.stdout)
+
+
+def check_limit(sandsim, cluster, work):
+    """What Slurm sends before a time limit makes a case write its checkpoint, from which it goes on."""
+    results = expand(sandsim, work, "limit", "--vary", "gravity=9,10 m/s^2", *ENDLESS)
+    job = cluster.call("sbatch", "--parsable", "--array=1", results / "sweep.sbatch").stdout.strip()
+    cluster.wait_for("frames of a job", lambda: any(results.glob("cases/*/series.h5.partial")))
+    cluster.call("scancel", "--signal=TERM", "--batch", f"{job}_1")
+    cluster.wait_for("end of a job", lambda: not cluster.call("squeue", "-h").stdout.strip())
+    expect("exit code of --collect", sandsim_sweep(sandsim, results, "--collect").returncode, 130)
+    expect("states", [row["status"] for row in rows(results)], ["interrupted", "not run"])
+    expect("checkpoints", len(list(results.glob("cases/*/checkpoint.h5"))), 1)
+    again = sandsim_sweep(sandsim, results, "--case", "1", "--max-wall", "00:00:01", "-q")
+    expect("exit code at the wall-clock limit", again.returncode, 7)
+    log = next(results.glob("cases/*/log.txt")).read_text()
+    expect("whether the case went on", "going on from" in log, True)
+
+
+def check(sandsim, folder):
+    work = folder / "work with spaces"
+    work.mkdir()
+    (work / "scene.yaml").write_text(SCENE)
+    with Cluster(folder) as cluster:
+        check_array(sandsim, cluster, work)
+        check_limit(sandsim, cluster, work)
 
 
 def main():
