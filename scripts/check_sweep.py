@@ -70,6 +70,18 @@ class Sweeps(unittest.TestCase):
         self.sweep("--vary", "sand.friction_angle=20:30:3 deg", "--overwrite")
         self.draw()
 
+    def test_the_piles_of_the_sweep_that_ships_only_come_later_the_less_of_them_flows(self):
+        folder = self.folder.parent / "piles"
+        subprocess.run([sandsim(), "sweep", str(SCENE.parent), "-o", str(folder), "-q"], check=True)
+        summary = Summary(folder)
+        self.assertEqual(np.count_nonzero(summary["status"] == "at rest"), 64)
+        later = summary["stop_time"] * np.sqrt(summary["sand.hbar.scale"])
+        for angle in np.unique(summary["sand.friction_angle"]):
+            chosen = summary["sand.friction_angle"] == angle
+            # As in the scene's README; twice what was measured.
+            self.assertLess(np.ptp(summary["runout"][chosen]) / summary["runout"][chosen].mean(), 0.0014)
+            self.assertLess(np.ptp(later[chosen]) / later[chosen].mean(), 0.04)
+
 
 if __name__ == "__main__":
     unittest.main()

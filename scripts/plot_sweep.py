@@ -80,7 +80,7 @@ def draw_curves(axes, summary, metric, x, y):
 
 
 def draw_pair(summary, metrics, x, y):
-    figure, rows = plt.subplots(2, len(metrics), figsize=(4.2 * len(metrics), 6.6), squeeze=False)
+    figure, rows = plt.subplots(2, len(metrics), figsize=(3.6 * len(metrics), 5.8), squeeze=False)
     for metric, above, below in zip(metrics, rows[0], rows[1]):
         draw_map(figure, above, summary, metric, x, y)
         draw_curves(below, summary, metric, x, y)
