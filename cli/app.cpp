@@ -130,8 +130,12 @@ void add_sweep_actions(CLI::App& command, SweepArguments& sweep) {
       command.add_option("--case", sweep.one_case, "Run case N only")->type_name("N")->check(CLI::Range(1, 1'000'000));
   CLI::Option* collect =
       command.add_flag("--collect", sweep.collect, "Gather what the cases have left into the summary; run nothing");
-  for (CLI::Option* option : {expand, one, collect}) option->excludes(list);
-  for (CLI::Option* option : {one, collect}) option->excludes(expand);
+  for (CLI::Option* option : {expand, one, collect}) {
+    option->excludes(list);
+  }
+  for (CLI::Option* option : {one, collect}) {
+    option->excludes(expand);
+  }
   one->excludes(collect);
 }
 

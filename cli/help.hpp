@@ -62,7 +62,8 @@ Output:
 Stopping and going on:
   The same command again, or `sandsim sweep DIR`, goes on: finished cases are never run again, interrupted ones go on
   from their checkpoints, also after a kill. A case that fails is recorded and the others go on; called again, cases
-  whose disk, memory or files failed are tried again. More values for a sweep that is done: only the new cases run.
+  whose disk, memory or files failed are tried again, with --retry also those that broke down numerically. More values
+  for a sweep that is done: only the new cases run.
   Every case has the bits of the same run on its own, with any -j and --threads.
 
 Beyond one machine, on a file system that all see:

@@ -45,13 +45,19 @@ class Pool {
   Pool(std::span<const CaseJob> jobs, const PoolSettings& settings, const PoolObserver& observer)
       : jobs_(jobs), settings_(settings), observer_(observer) {
     result_.outcomes.resize(jobs.size());
-    for (std::size_t index = 0; index < jobs.size(); ++index) waiting_.push_back(index);
+    for (std::size_t index = 0; index < jobs.size(); ++index) {
+      waiting_.push_back(index);
+    }
   }
 
   PoolResult run() {
     while (!running_.empty() || (!waiting_.empty() && !result_.interrupted)) {
-      if (!result_.interrupted) look_for_an_end();
-      if (!result_.interrupted) start_some();
+      if (!result_.interrupted) {
+        look_for_an_end();
+      }
+      if (!result_.interrupted) {
+        start_some();
+      }
       collect();
       tick();
       std::this_thread::sleep_for(poll_interval);
@@ -69,18 +75,33 @@ class Pool {
 
   void look_for_an_end() {
     const bool at_limit = settings_.max_wall > 0.0 && seconds(Clock::now() - begin_) >= settings_.max_wall;
-    if (!signals_.interrupted() && !at_limit) return;
+    if (!signals_.interrupted() && !at_limit) {
+      return;
+    }
     result_.interrupted = true;
     result_.interrupted_by_limit = !signals_.interrupted();
     result_.signal = signals_.name();
-    for (const Running& running : running_) running.process->send(SIGTERM);
+    for (const Running& running : running_) {
+      running.process->send(SIGTERM);
+    }
   }
 
-  /// Starts the first of the waiting cases whose directories are free, until all places are taken.
+  /// Starts the first of the waiting cases whose directories are free, until all places are taken. Locked ones are
+  /// asked for now and then only: there may be many.
   void start_some() {
+    if (Clock::now() < next_start_) {
+      return;
+    }
     for (auto next = waiting_.begin(); next != waiting_.end();) {
-      if (static_cast<int>(running_.size()) >= settings_.parallel) return;
-      next = try_start(*next) ? waiting_.erase(next) : std::next(next);
+      if (static_cast<int>(running_.size()) >= settings_.parallel) {
+        return;
+      }
+      if (try_start(*next)) {
+        next = waiting_.erase(next);
+      } else {
+        ++next;
+        next_start_ = Clock::now() + tick_interval;
+      }
     }
   }
 
@@ -90,7 +111,9 @@ class Pool {
     CaseOutcome& outcome = result_.outcomes[index];
     try {
       const FileLock lock = lock_case(jobs_[index].output);
-      if (!lock.taken()) return false;
+      if (!lock.taken()) {
+        return false;
+      }
       outcome.started = true;
       outcome.begin = seconds(now - begin_);
       if (settings_.is_finished_elsewhere && settings_.is_finished_elsewhere(index)) {
@@ -99,7 +122,9 @@ class Pool {
       }
       running_.push_back(
           {index, now, std::make_unique<CaseProcess>(settings_.executable, run_arguments(jobs_[index]), lock)});
-      if (observer_.started) observer_.started(index);
+      if (observer_.started) {
+        observer_.started(index);
+      }
     } catch (const Error&) {
       const Failure failure = current_failure();
       outcome.started = true;
@@ -129,12 +154,16 @@ class Pool {
   }
 
   void end(std::size_t index) const {
-    if (observer_.ended) observer_.ended(index, result_.outcomes[index]);
+    if (observer_.ended) {
+      observer_.ended(index, result_.outcomes[index]);
+    }
   }
 
   void tick() {
     const Clock::time_point now = Clock::now();
-    if (!observer_.tick || now < next_tick_) return;
+    if (!observer_.tick || now < next_tick_) {
+      return;
+    }
     next_tick_ = now + tick_interval;
     std::vector<RunningCase> cases;
     for (const Running& running : running_) {
@@ -152,6 +181,7 @@ class Pool {
   std::list<Running> running_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point next_tick_ = begin_;
+  Clock::time_point next_start_ = begin_;
 };
 
 }  // namespace

@@ -32,7 +32,9 @@ constexpr int progress_descriptor = 3;  // in the child
 void become_case(const char* executable, char* const* arguments, pid_t parent, int errors, int progress, int lock) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) return;  // It died before the line above.
+  if (getppid() != parent) {
+    return;  // It died before the line above.
+  }
   const int nothing = open("/dev/null", O_RDWR);
   dup2(nothing, STDIN_FILENO);
   dup2(nothing, STDOUT_FILENO);
@@ -47,13 +49,17 @@ void become_case(const char* executable, char* const* arguments, pid_t parent, i
   }
   execv(executable, arguments);
   constexpr std::string_view problem = "sandsim: error: the program cannot be started as a process for a case\n";
-  if (write(STDERR_FILENO, problem.data(), problem.size()) < 0) return;
+  if (write(STDERR_FILENO, problem.data(), problem.size()) < 0) {
+    return;
+  }
 }
 
 }  // namespace
 
 AnonymousFile::AnonymousFile(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {
-  if (descriptor_ < 0) fail_to_start();
+  if (descriptor_ < 0) {
+    fail_to_start();
+  }
 }
 
 AnonymousFile::~AnonymousFile() {
@@ -70,7 +76,9 @@ std::string AnonymousFile::text() const {
 FileLock lock_case(const fs::path& directory) {
   std::error_code error;
   fs::create_directories(directory, error);
-  if (error) throw OutputError(fmt::format("{}: could not be created ({})", directory.string(), error.message()));
+  if (error) {
+    throw OutputError(fmt::format("{}: could not be created ({})", directory.string(), error.message()));
+  }
   return FileLock(directory / "case.lock", FileLock::Mode::try_once);
 }
 
@@ -80,7 +88,9 @@ CaseProcess::CaseProcess(const fs::path& executable, const std::vector<std::stri
   words.insert(words.end(), arguments.begin(), arguments.end());
   words.insert(words.end(), {"--progress-fd", std::to_string(progress_descriptor)});
   std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
+  for (std::string& word : words) {
+    pointers.push_back(word.data());
+  }
   pointers.push_back(nullptr);
   const pid_t parent = getpid();
   pid_ = fork();
@@ -89,7 +99,9 @@ CaseProcess::CaseProcess(const fs::path& executable, const std::vector<std::stri
                 lock.descriptor());
     _exit(127);
   }
-  if (pid_ < 0) fail_to_start();
+  if (pid_ < 0) {
+    fail_to_start();
+  }
 }
 
 CaseProcess::~CaseProcess() {
@@ -100,7 +112,9 @@ CaseProcess::~CaseProcess() {
 }
 
 void CaseProcess::send(int signal_number) const {
-  if (!exit_code_) kill(pid_, signal_number);
+  if (!exit_code_) {
+    kill(pid_, signal_number);
+  }
 }
 
 std::optional<int> CaseProcess::poll() {

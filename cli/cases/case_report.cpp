@@ -46,7 +46,9 @@ class DepthFrames {
   template <class Visitor>
   void visit(const Visitor& visitor) const {
     for (std::size_t j = 0; j < y_.size(); ++j) {
-      for (std::size_t i = 0; i < x_.size(); ++i) visitor(x_[i], y_[j], at(i, j));
+      for (std::size_t i = 0; i < x_.size(); ++i) {
+        visitor(x_[i], y_[j], at(i, j));
+      }
     }
   }
 
@@ -56,15 +58,23 @@ class DepthFrames {
   void visit_outline(double threshold, const Visitor& visitor) const {
     const auto visit_between = [&](std::size_t i, std::size_t j, std::size_t m, std::size_t n) {
       const double here = at(i, j), there = at(m, n);
-      if ((here > threshold) == (there > threshold)) return;
+      if ((here > threshold) == (there > threshold)) {
+        return;
+      }
       const double fraction = (here - threshold) / (here - there);
       visitor(x_[i] + fraction * (x_[m] - x_[i]), y_[j] + fraction * (y_[n] - y_[j]));
     };
     for (std::size_t j = 0; j < y_.size(); ++j) {
       for (std::size_t i = 0; i < x_.size(); ++i) {
-        if (at(i, j) > threshold) visitor(x_[i], y_[j]);
-        if (i + 1 < x_.size()) visit_between(i, j, i + 1, j);
-        if (j + 1 < y_.size()) visit_between(i, j, i, j + 1);
+        if (at(i, j) > threshold) {
+          visitor(x_[i], y_[j]);
+        }
+        if (i + 1 < x_.size()) {
+          visit_between(i, j, i + 1, j);
+        }
+        if (j + 1 < y_.size()) {
+          visit_between(i, j, i, j + 1);
+        }
       }
     }
   }
@@ -79,16 +89,22 @@ class DepthFrames {
 
 std::optional<Deposit> read_deposit(const SeriesReader& series) {
   const StoredVariable* depth = series.find("depth");
-  if (depth == nullptr || !depth->has_dimensions({"time", "y", "x"}) || series.frames() == 0) return std::nullopt;
+  if (depth == nullptr || !depth->has_dimensions({"time", "y", "x"}) || series.frames() == 0) {
+    return std::nullopt;
+  }
   DepthFrames frames(series);
   double deepest = 0.0;
   std::pair<double, double> centre;
   for (std::size_t frame = 0; frame < series.frames() && deepest == 0.0; ++frame) {
     frames.load(frame);
     deepest = frames.largest();
-    if (deepest > 0.0) centre = frames.centre_of_mass();
+    if (deepest > 0.0) {
+      centre = frames.centre_of_mass();
+    }
   }
-  if (deepest == 0.0) return std::nullopt;
+  if (deepest == 0.0) {
+    return std::nullopt;
+  }
   frames.load(series.frames() - 1);
   deepest = std::max(deepest, frames.largest());
   Deposit deposit{-INFINITY, frames.largest(), 0.0};
@@ -112,7 +128,9 @@ std::optional<CaseReport> read_case_report(const fs::path& directory) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-  if (report.run.exit_code != ExitCode::done) return report;
+  if (report.run.exit_code != ExitCode::done) {
+    return report;
+  }
   const hdf5::Session session;
   try {
     report.deposit = read_deposit(SeriesReader(files.series));

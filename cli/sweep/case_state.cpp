@@ -17,7 +17,9 @@ constexpr int interrupted = static_cast<int>(ExitCode::interrupted);
 constexpr int wall_clock_limit = static_cast<int>(ExitCode::wall_clock_limit);
 
 Kind kind_of(int exit_code) {
-  if (exit_code == 0) return Kind::done;
+  if (exit_code == 0) {
+    return Kind::done;
+  }
   return exit_code == interrupted || exit_code == wall_clock_limit ? Kind::interrupted : Kind::failed;
 }
 
@@ -36,7 +38,9 @@ CaseState failed(int exit_code, std::string message) {
 
 CaseState read_case_state(const Sweep& sweep, std::size_t index, const fs::path& directory) {
   const SweepCase& one = sweep.cases[index];
-  if (!one.problem.empty()) return failed(static_cast<int>(ExitCode::invalid_scene), first_line(one.problem));
+  if (!one.problem.empty()) {
+    return failed(static_cast<int>(ExitCode::invalid_scene), first_line(one.problem));
+  }
   CaseState state;
   try {
     state.report = read_case_report(directory / one.folder);
@@ -59,7 +63,9 @@ CaseState read_case_state(const Sweep& sweep, std::size_t index, const fs::path&
 
 CaseState case_state(const Sweep& sweep, std::size_t index, const fs::path& directory, const CaseOutcome& outcome) {
   CaseState state = read_case_state(sweep, index, directory);
-  if (!outcome.started || outcome.exit_code == state.exit_code) return state;
+  if (!outcome.started || outcome.exit_code == state.exit_code) {
+    return state;
+  }
   state.exit_code = outcome.exit_code;
   state.kind = kind_of(outcome.exit_code);
   state.status = outcome.exit_code > 128 && state.kind == Kind::failed
@@ -70,7 +76,9 @@ CaseState case_state(const Sweep& sweep, std::size_t index, const fs::path& dire
 }
 
 bool is_to_be_run(const CaseState& state, bool retry) {
-  if (state.kind == Kind::done) return false;
+  if (state.kind == Kind::done) {
+    return false;
+  }
   const bool by_itself =
       state.kind == Kind::failed && (state.exit_code == static_cast<int>(ExitCode::invalid_scene) ||
                                      state.exit_code == static_cast<int>(ExitCode::numerical_failure));
@@ -81,8 +89,12 @@ ExitCode exit_code_of(const std::vector<CaseState>& states) {
   const auto of_kind = [&](Kind kind) {
     return std::find_if(states.begin(), states.end(), [kind](const CaseState& state) { return state.kind == kind; });
   };
-  if (const auto state = of_kind(Kind::failed); state != states.end()) return static_cast<ExitCode>(state->exit_code);
-  if (of_kind(Kind::interrupted) != states.end()) return ExitCode::interrupted;
+  if (const auto state = of_kind(Kind::failed); state != states.end()) {
+    return static_cast<ExitCode>(state->exit_code);
+  }
+  if (of_kind(Kind::interrupted) != states.end()) {
+    return ExitCode::interrupted;
+  }
   return of_kind(Kind::not_run) != states.end() ? ExitCode::missing_input : ExitCode::done;
 }
 

@@ -75,16 +75,16 @@ std::string Sweep::description_of(const SweepCase& one) const {
   return join(", ", parts);
 }
 
-SweepCase resolve_case(const Sweep& sweep, const std::vector<std::string>& values) {
+SweepCase resolve_case(const Sweep& sweep, const std::vector<std::string>& values, std::vector<std::string>* warnings) {
   SweepCase result{values, {}, {}, {}};
   const std::vector<std::string> overrides = sweep.overrides_of(result);
   try {
-    const Scene scene = read_scene(sweep.scene, overrides);
+    const Scene scene = read_scene(sweep.scene, overrides, warnings);
     result.scene_hash = hash_of(scene, sweep.scene);
     const auto references = reference_files(scene, sweep.scene.parent_path());
     result.folder = folder_of(references.empty() ? result.scene_hash : scene_hash(result.scene_hash, references));
   } catch (const SceneError& error) {
-    const Sweep varied{{}, {}, sweep.keys, {}};
+    const Sweep varied{{}, {}, sweep.keys, {}, {}};
     result.problem = in_terms_of_vary(error.what(), varied.overrides_of(result));
     result.folder = folder_of(scene_hash("invalid\n" + join("\n", overrides), {}));
   }
@@ -92,9 +92,16 @@ SweepCase resolve_case(const Sweep& sweep, const std::vector<std::string>& value
 }
 
 Sweep resolve_sweep(const SweepPlan& plan) {
-  Sweep sweep{plan.scene, plan.overrides, plan.keys(), {}};
+  Sweep sweep{plan.scene, plan.overrides, plan.keys(), {}, {}};
+  std::set<std::string> seen;
   for (const std::vector<std::string>& values : plan.cases()) {
-    sweep.cases.push_back(resolve_case(sweep, values));
+    std::vector<std::string> warnings;
+    sweep.cases.push_back(resolve_case(sweep, values, &warnings));
+    for (const std::string& warning : warnings) {
+      if (seen.insert(without_digits(warning)).second) {
+        sweep.warnings.push_back(warning);
+      }
+    }
   }
   require_distinct(sweep);
   return sweep;
@@ -106,15 +113,23 @@ std::string problems_of(const Sweep& sweep) {
   std::string text;
   std::size_t invalid = 0;
   for (const SweepCase& one : sweep.cases) {
-    if (one.problem.empty()) continue;
+    if (one.problem.empty()) {
+      continue;
+    }
     ++invalid;
     std::istringstream lines(one.problem);
     for (std::string line; std::getline(lines, line);) {
-      if (seen.insert(without_digits(line)).second && seen.size() <= most) text += line + '\n';
+      if (seen.insert(without_digits(line)).second && seen.size() <= most) {
+        text += line + '\n';
+      }
     }
   }
-  if (invalid == 0) return {};
-  if (seen.size() > most) text += fmt::format("... and {} more problems\n", seen.size() - most);
+  if (invalid == 0) {
+    return {};
+  }
+  if (seen.size() > most) {
+    text += fmt::format("... and {} more problems\n", seen.size() - most);
+  }
   return text + fmt::format("{} of {} cases are invalid", invalid, sweep.cases.size());
 }
 

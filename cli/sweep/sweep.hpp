@@ -22,6 +22,7 @@ struct Sweep {
   std::vector<std::string> overrides;  // for all cases
   std::vector<std::string> keys;       // that vary
   std::vector<SweepCase> cases;
+  std::vector<std::string> warnings;  // about the scenes, each once
 
   /// What `--set` would have to say for a case.
   std::vector<std::string> overrides_of(const SweepCase& one) const;
@@ -32,7 +33,8 @@ struct Sweep {
 /// Reads the scene of a case: fills in its folder, a hash over the resolved scene, the bytes of all input files and of
 /// the references that are there, so that nothing that could change its results or errors goes unseen. A scene that
 /// is invalid becomes the case's problem. Throws InputError for files that are missing.
-SweepCase resolve_case(const Sweep& sweep, const std::vector<std::string>& values);
+SweepCase resolve_case(const Sweep& sweep, const std::vector<std::string>& values,
+                       std::vector<std::string>* warnings = nullptr);
 
 /// All cases of the plan; two that come to the same scene are one too many: throws SceneError.
 Sweep resolve_sweep(const SweepPlan& plan);

@@ -47,11 +47,15 @@ void print_failures(const OpenSweep& open, const std::vector<CaseState>& states,
   constexpr int most = 10;
   int failures = 0;
   for (std::size_t k = 0; k < states.size(); ++k) {
-    if (states[k].kind != Kind::failed || ++failures > most) continue;
+    if (states[k].kind != Kind::failed || ++failures > most) {
+      continue;
+    }
     out << fmt::format("  case {}: {} (exit code {}): {}  ({})\n", k + 1, states[k].status, states[k].exit_code,
                        states[k].message, open.sweep.description_of(open.sweep.cases[k]));
   }
-  if (failures > most) out << fmt::format("  ... and {} more: see {}\n", failures - most, open.files.csv.string());
+  if (failures > most) {
+    out << fmt::format("  ... and {} more: see {}\n", failures - most, open.files.csv.string());
+  }
 }
 
 /// Writes the summary, and says how the sweep stands.
@@ -83,7 +87,9 @@ Shares shares_of(const SweepArguments& arguments, std::size_t cases) {
   const int places = std::max(1, processors / shares.threads);
   shares.parallel = arguments.parallel > 0 ? arguments.parallel : places;
   shares.parallel = std::clamp(static_cast<int>(cases), 1, shares.parallel);
-  if (arguments.parallel == 0 && arguments.threads == 0) shares.threads = processors / shares.parallel;
+  if (arguments.parallel == 0 && arguments.threads == 0) {
+    shares.threads = processors / shares.parallel;
+  }
   return shares;
 }
 
@@ -100,7 +106,9 @@ class SweepRun {
   SweepRun(const SweepArguments& arguments, const OpenSweep& open, Console& console)
       : arguments_(arguments), open_(open), console_(console), states_(read_states(open)) {
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      if (is_to_be_run(states_[k], arguments.retry)) chosen_.push_back(k);
+      if (is_to_be_run(states_[k], arguments.retry)) {
+        chosen_.push_back(k);
+      }
     }
   }
 
@@ -109,7 +117,9 @@ class SweepRun {
     if (before.done > 0 && !arguments_.quiet) {
       console_.err << fmt::format("sandsim: {} of {} cases are done already\n", before.done, before.total);
     }
-    for (const std::size_t index : chosen_) require_unchanged(open_.sweep, index);
+    for (const std::size_t index : chosen_) {
+      require_unchanged(open_.sweep, index);
+    }
     const PoolResult result = run_chosen(before);
     conclude(arguments_, open_, states_, console_);
     return exit_code(result);
@@ -119,7 +129,9 @@ class SweepRun {
   /// Cases that are to be run count as waiting, whatever they were.
   SweepCounts counts_before() const {
     std::vector<CaseState> states = states_;
-    for (const std::size_t index : chosen_) states[index].kind = Kind::not_run;
+    for (const std::size_t index : chosen_) {
+      states[index].kind = Kind::not_run;
+    }
     return count(states);
   }
 
@@ -153,14 +165,18 @@ class SweepRun {
     };
     observer.tick = [&](std::span<const RunningCase> running) {
       std::vector<RunningCase> cases(running.begin(), running.end());
-      for (RunningCase& one : cases) one.index = chosen_[one.index];
+      for (RunningCase& one : cases) {
+        one.index = chosen_[one.index];
+      }
       display.update(cases);
     };
     return run_cases(jobs(shares.threads), settings, observer);
   }
 
   ExitCode exit_code(const PoolResult& result) {
-    if (!result.interrupted) return exit_code_of(states_);
+    if (!result.interrupted) {
+      return exit_code_of(states_);
+    }
     const std::string why = result.interrupted_by_limit ? "--max-wall reached" : "interrupted by " + result.signal;
     console_.err << fmt::format("sandsim: {}; the same command, or sandsim sweep {}, goes on\n", why,
                                 shell_word(open_.files.directory.string()));
@@ -213,12 +229,18 @@ ExitCode run_one(const SweepArguments& arguments, const OpenSweep& open, Console
     throw Error(ExitCode::usage, fmt::format("--case {}: the sweep has {} cases", number, open.sweep.cases.size()));
   }
   const SweepCase& one = open.sweep.cases[number - 1];
-  if (!one.problem.empty()) throw SceneError(one.problem);
+  if (!one.problem.empty()) {
+    throw SceneError(one.problem);
+  }
   const fs::path folder = open.files.directory / one.folder;
   const FileLock lock = lock_case(folder);
-  if (!lock.taken()) throw OutputError(fmt::format("case {}: another process is running it", number));
+  if (!lock.taken()) {
+    throw OutputError(fmt::format("case {}: another process is running it", number));
+  }
   if (read_case_state(open.sweep, number - 1, open.files.directory).kind == Kind::done) {
-    if (!arguments.quiet) console.out << fmt::format("case {} is done already\n", number);
+    if (!arguments.quiet) {
+      console.out << fmt::format("case {} is done already\n", number);
+    }
     return ExitCode::done;
   }
   require_unchanged(open.sweep, number - 1);
@@ -240,10 +262,23 @@ ExitCode run_one(const SweepArguments& arguments, const OpenSweep& open, Console
 
 ExitCode sweep_command(const SweepArguments& arguments, Console& console) {
   const OpenSweep open = open_sweep(arguments);
-  if (arguments.list) return list_cases(open, console);
-  if (arguments.expand) return expand(arguments, open, console);
-  if (arguments.one_case) return run_one(arguments, open, console);
-  if (arguments.collect) return collect(arguments, open, console);
+  for (const std::string& warning : open.sweep.warnings) {
+    if (!arguments.quiet) {
+      console.err << "sandsim: warning: " << warning << '\n';
+    }
+  }
+  if (arguments.list) {
+    return list_cases(open, console);
+  }
+  if (arguments.expand) {
+    return expand(arguments, open, console);
+  }
+  if (arguments.one_case) {
+    return run_one(arguments, open, console);
+  }
+  if (arguments.collect) {
+    return collect(arguments, open, console);
+  }
   return SweepRun(arguments, open, console).run();
 }
 

@@ -21,7 +21,9 @@ struct TerminalSize {
 
 TerminalSize terminal_size() {
   winsize size{};
-  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return {};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) {
+    return {};
+  }
   return {size.ws_col, size.ws_row};
 }
 
@@ -35,7 +37,9 @@ std::string bar(double fraction) {
 std::string counts_line(const SweepCounts& counts, const char* rest) {
   std::string text = fmt::format("{} of {} done", counts.done, counts.total);
   const auto add = [&text](std::size_t number, const char* word) {
-    if (number > 0) text += fmt::format(", {} {}", number, word);
+    if (number > 0) {
+      text += fmt::format(", {} {}", number, word);
+    }
   };
   add(counts.failed, "failed");
   add(counts.interrupted, "interrupted");
@@ -52,7 +56,9 @@ SweepDisplay::~SweepDisplay() {
 }
 
 void SweepDisplay::wipe() {
-  if (drawn_ == 0) return;
+  if (drawn_ == 0) {
+    return;
+  }
   stream_ << fmt::format("\r\x1b[{}A\x1b[J", drawn_) << std::flush;
   drawn_ = 0;
 }
@@ -76,7 +82,9 @@ void SweepDisplay::case_ended(std::size_t index, const CaseState& state, double 
   }
   // A failure stays on the screen; what goes well is in the table's first line.
   const bool is_news = mode_ == Mode::lines || (mode_ == Mode::table && state.kind == CaseState::Kind::failed);
-  if (!is_news) return;
+  if (!is_news) {
+    return;
+  }
   wipe();
   const std::string why = state.kind == CaseState::Kind::failed
                               ? fmt::format(" (exit code {}): {}", state.exit_code, state.message)
@@ -96,7 +104,9 @@ std::string SweepDisplay::row(const RunningCase& one, std::size_t width) const {
 }
 
 void SweepDisplay::update(std::span<const RunningCase> running) {
-  if (mode_ != Mode::table) return;
+  if (mode_ != Mode::table) {
+    return;
+  }
   const TerminalSize size = terminal_size();
   const std::size_t width = size.columns - 1;  // One column stays free, or some terminals wrap the line.
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -108,7 +118,9 @@ void SweepDisplay::update(std::span<const RunningCase> running) {
           .substr(0, width);
   text += '\n';
   const std::size_t shown = std::min(running.size(), size.rows > 3 ? size.rows - 3 : 0);
-  for (std::size_t k = 0; k < shown; ++k) text += row(running[k], width) + '\n';
+  for (std::size_t k = 0; k < shown; ++k) {
+    text += row(running[k], width) + '\n';
+  }
   wipe();
   stream_ << text << std::flush;
   drawn_ = 1 + shown;

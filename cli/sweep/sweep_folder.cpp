@@ -24,7 +24,9 @@ std::string manifest_text(const Sweep& sweep) {
   JsonWriter json;
   const auto add_list = [&json](const char* name, const std::vector<std::string>& values) {
     json.begin_array(name);
-    for (const std::string& value : values) json.value(value);
+    for (const std::string& value : values) {
+      json.value(value);
+    }
     json.end_array();
   };
   json.begin_object();
@@ -37,7 +39,9 @@ std::string manifest_text(const Sweep& sweep) {
     json.begin_object();
     add_list("values", one.values);
     json.member("folder", one.folder).member("scene_hash", one.scene_hash);
-    if (!one.problem.empty()) json.member("problem", one.problem);
+    if (!one.problem.empty()) {
+      json.member("problem", one.problem);
+    }
     json.end_object();
   }
   json.end_array().end_object();
@@ -47,7 +51,9 @@ std::string manifest_text(const Sweep& sweep) {
 /// The cases of `sweep` that `earlier` has as well.
 std::size_t shared_cases(const Sweep& earlier, const Sweep& sweep) {
   std::set<std::string> folders;
-  for (const SweepCase& one : sweep.cases) folders.insert(one.folder);
+  for (const SweepCase& one : sweep.cases) {
+    folders.insert(one.folder);
+  }
   return static_cast<std::size_t>(std::count_if(earlier.cases.begin(), earlier.cases.end(),
                                                 [&](const SweepCase& one) { return folders.count(one.folder) > 0; }));
 }
@@ -57,12 +63,16 @@ void remove_results(const Sweep& earlier, const SweepFiles& files) {
   std::error_code ignored;
   for (const SweepCase& one : earlier.cases) {
     const fs::path folder = files.directory / one.folder;
-    if (!fs::exists(folder, ignored)) continue;
+    if (!fs::exists(folder, ignored)) {
+      continue;
+    }
     prepare_output_directory(folder, true, false);
     fs::remove(folder / "case.lock", ignored);
     fs::remove(folder, ignored);  // unless something else is in it
   }
-  for (const fs::path& file : {files.manifest, files.csv, files.series, files.script}) fs::remove(file, ignored);
+  for (const fs::path& file : {files.manifest, files.csv, files.series, files.script}) {
+    fs::remove(file, ignored);
+  }
 }
 
 void replace_or_refuse(const Sweep& earlier, const Sweep& sweep, const SweepFiles& files, bool overwrite) {
@@ -71,7 +81,9 @@ void replace_or_refuse(const Sweep& earlier, const Sweep& sweep, const SweepFile
     return;
   }
   const std::size_t shared = shared_cases(earlier, sweep);
-  if (shared == earlier.cases.size()) return;
+  if (shared == earlier.cases.size()) {
+    return;
+  }
   throw OutputError(fmt::format(
       "{}: holds another sweep: {} over {}, of whose {} cases this one has {}; or its scene, an input file "
       "or a default has changed since\n"
@@ -83,8 +95,12 @@ void replace_or_refuse(const Sweep& earlier, const Sweep& sweep, const SweepFile
 /// Nothing is there, or only the lock of a sweep that ended before it had written anything.
 bool is_free(const SweepFiles& files) {
   std::error_code error;
-  if (!fs::exists(files.directory, error)) return true;
-  if (!fs::is_directory(files.directory, error)) return false;
+  if (!fs::exists(files.directory, error)) {
+    return true;
+  }
+  if (!fs::is_directory(files.directory, error)) {
+    return false;
+  }
   const fs::directory_iterator entries(files.directory, error);
   return !error && std::all_of(begin(entries), end(entries), [&](const fs::directory_entry& entry) {
     return entry.path().filename() == files.lock.filename();
@@ -119,7 +135,9 @@ Sweep read_manifest(const SweepFiles& files) {
       one.folder = node["folder"].as<std::string>();
       one.scene_hash = node["scene_hash"].as<std::string>();
       one.problem = node["problem"].as<std::string>("");
-      if (one.values.size() != sweep.keys.size()) throw InputError("a case has not one value a key");
+      if (one.values.size() != sweep.keys.size()) {
+        throw InputError("a case has not one value a key");
+      }
       sweep.cases.push_back(one);
     }
     return sweep;
@@ -130,7 +148,9 @@ Sweep read_manifest(const SweepFiles& files) {
 
 FileLock lock_sweep(const SweepFiles& files) {
   FileLock lock(files.lock, FileLock::Mode::try_once);
-  if (lock.taken()) return lock;
+  if (lock.taken()) {
+    return lock;
+  }
   throw OutputError(fmt::format("{}: another process is at work on this sweep\n  wait for it, or end it first",
                                 files.directory.string()));
 }
@@ -144,7 +164,9 @@ FileLock prepare_sweep_directory(const Sweep& sweep, const SweepFiles& files, bo
   }
   prepare_output_directory(directory, false, true);
   FileLock lock = lock_sweep(files);  // before anything is removed
-  if (is_earlier) replace_or_refuse(read_manifest(files), sweep, files, overwrite);
+  if (is_earlier) {
+    replace_or_refuse(read_manifest(files), sweep, files, overwrite);
+  }
   write_file_atomically(files.manifest, manifest_text(sweep));
   return lock;
 }

@@ -43,11 +43,21 @@ void read_options(SweepPlan& plan, const SweepArguments& arguments) {
     }
   }
   plan.overrides.insert(plan.overrides.end(), arguments.overrides.begin(), arguments.overrides.end());
-  if (arguments.precision) plan.overrides.push_back("numerics.precision=" + *arguments.precision);
-  if (arguments.samples) plan.samples.count = *arguments.samples;
-  if (arguments.seed) plan.samples.seed = *arguments.seed;
-  if (arguments.sampling) plan.samples.sampling = *arguments.sampling == "random" ? Sampling::random : Sampling::latin;
-  if (const std::optional<Complaint> complaint = check_plan(plan)) usage(message_of("sweep", *complaint));
+  if (arguments.precision) {
+    plan.overrides.push_back("numerics.precision=" + *arguments.precision);
+  }
+  if (arguments.samples) {
+    plan.samples.count = *arguments.samples;
+  }
+  if (arguments.seed) {
+    plan.samples.seed = *arguments.seed;
+  }
+  if (arguments.sampling) {
+    plan.samples.sampling = *arguments.sampling == "random" ? Sampling::random : Sampling::latin;
+  }
+  if (const std::optional<Complaint> complaint = check_plan(plan)) {
+    usage(message_of("sweep", *complaint));
+  }
 }
 
 void require_few(const SweepPlan& plan, bool yes) {
@@ -65,7 +75,9 @@ void require_few(const SweepPlan& plan, bool yes) {
 
 void require_valid(const Sweep& sweep, const SweepArguments& arguments) {
   const std::string problems = problems_of(sweep);
-  if (problems.empty() || arguments.skip_invalid) return;
+  if (problems.empty() || arguments.skip_invalid) {
+    return;
+  }
   throw SceneError(problems + "; nothing was run\n  --skip-invalid records them and runs the others");
 }
 

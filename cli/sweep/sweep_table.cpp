@@ -19,7 +19,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 Column text_column(const std::string& name, const std::string& long_name, const std::vector<CaseState>& states,
                    const std::function<std::string(const CaseState&)>& value) {
   std::vector<std::string> values;
-  for (const CaseState& state : states) values.push_back(value(state));
+  for (const CaseState& state : states) {
+    values.push_back(value(state));
+  }
   return {name, "", long_name, "", std::move(values)};
 }
 
@@ -31,7 +33,9 @@ Column parameter_column(const Sweep& sweep, std::size_t key) {
   for (const SweepCase& one : sweep.cases) {
     texts.push_back(one.values[key]);
     const std::optional<NumberWithUnit> number = number_with_unit(one.values[key]);
-    if (!number || (!numbers.empty() && number->unit != column.units)) continue;
+    if (!number || (!numbers.empty() && number->unit != column.units)) {
+      continue;
+    }
     column.units = number->unit;
     numbers.push_back(number->number);
   }
@@ -55,7 +59,9 @@ void add_metric(Table& table, const std::vector<CaseState>& states, const std::s
     values.push_back(has_run ? metric(*state.report) : none);
   }
   const bool given = std::any_of(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-  if (given) table.columns.push_back({name, units, long_name, "metric", std::move(values)});
+  if (given) {
+    table.columns.push_back({name, units, long_name, "metric", std::move(values)});
+  }
 }
 
 Metric of_deposit(double Deposit::*member) {
@@ -71,7 +77,9 @@ Metric of_error(std::optional<double> ErrorReport::*norm) {
 double front_error(const CaseReport& report) {
   for (const ErrorReport& error : report.run.errors) {
     for (const ErrorReport::Front& front : error.fronts) {
-      if (front.reference) return front.computed - *front.reference;
+      if (front.reference) {
+        return front.computed - *front.reference;
+      }
     }
   }
   return none;
@@ -116,7 +124,9 @@ Table sweep_table(const Sweep& sweep, const std::vector<CaseState>& states, cons
     folders.push_back(sweep.cases[k].folder);
   }
   table.columns.push_back({"case", "", "number of the case", "", std::move(numbers)});
-  for (std::size_t key = 0; key < sweep.keys.size(); ++key) table.columns.push_back(parameter_column(sweep, key));
+  for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
+    table.columns.push_back(parameter_column(sweep, key));
+  }
   table.columns.push_back(
       text_column("status", "how the run ended", states, [](const CaseState& state) { return state.status; }));
   table.columns.push_back({"exit_code", "", "exit code of the run", "", std::move(codes)});

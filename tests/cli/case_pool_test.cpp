@@ -86,8 +86,12 @@ TEST_CASE("a signal starts no more cases and reaches the running ones, which can
   write_text(cases.scene, endless_scene());
   const std::vector<CaseJob> jobs{cases.job("a"), cases.job("b")};
   PoolObserver observer;
-  observer.tick = [](std::span<const RunningCase> running) {
-    if (!running.empty() && running[0].progress.time > 0.0) raise(SIGTERM);
+  bool raised = false;  // a second one would kill
+  observer.tick = [&](std::span<const RunningCase> running) {
+    if (!raised && !running.empty() && running[0].progress.time > 0.0) {
+      raised = true;
+      raise(SIGTERM);
+    }
   };
   const PoolResult result = run_cases(jobs, cases.settings(1), observer);
   CHECK(result.interrupted);

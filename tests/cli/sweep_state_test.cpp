@@ -48,7 +48,7 @@ TEST_CASE("a sweep's exit code is that of the first case that failed") {
 
 TEST_CASE("what a process says outweighs a report that it did not get to write") {
   const TemporaryDirectory folder;
-  const Sweep sweep{"scene.yaml", {}, {"gravity"}, {{{"9 m/s^2"}, "cases/a", "fnv1a64:0", ""}}};
+  const Sweep sweep{"scene.yaml", {}, {"gravity"}, {{{"9 m/s^2"}, "cases/a", "fnv1a64:0", ""}}, {}};
   CaseOutcome crashed;
   crashed.started = true;
   crashed.exit_code = 128 + 11;
@@ -64,7 +64,7 @@ TEST_CASE("what a process says outweighs a report that it did not get to write")
 }
 
 TEST_CASE("parameters are numbers where all their values have the same unit") {
-  Sweep sweep{"scene.yaml", {}, {"a", "b", "c"}, {}};
+  Sweep sweep{"scene.yaml", {}, {"a", "b", "c"}, {}, {}};
   sweep.cases.push_back({{"20 deg", "full", "1 cm"}, "cases/a", "", ""});
   sweep.cases.push_back({{"30 deg", "0.5, \"x\"", "10 mm"}, "cases/b", "", ""});
   const Table table = sweep_table(sweep, {not_run, disk_full}, "sandsim sweep");

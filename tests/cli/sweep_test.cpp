@@ -35,7 +35,9 @@ struct Workplace {
     for (std::string line; std::getline(lines, line);) {
       Row row;
       std::istringstream fields(line);
-      for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
+      for (std::string field; std::getline(fields, field, ',');) {
+        row.push_back(field);
+      }
       rows.push_back(row);
     }
     return rows;
@@ -58,7 +60,9 @@ std::vector<fs::path> finished_cases(const fs::path& results) {
   std::vector<fs::path> found;
   std::error_code not_there;
   for (const fs::directory_entry& entry : fs::directory_iterator(results / "cases", not_there)) {
-    if (contains(read_text(entry.path() / "run.json"), "\"exit_code\": 0")) found.push_back(entry.path());
+    if (contains(read_text(entry.path() / "run.json"), "\"exit_code\": 0")) {
+      found.push_back(entry.path());
+    }
   }
   return found;
 }
@@ -99,7 +103,9 @@ TEST_CASE("a sweep that is killed resumes without running a finished case again"
   Process process(place.arguments(vary), place.folder.path());
   const auto partial_there = [&] {
     for (const fs::directory_entry& entry : fs::directory_iterator(place.results / "cases")) {
-      if (fs::exists(entry.path() / "series.h5.partial")) return true;
+      if (fs::exists(entry.path() / "series.h5.partial")) {
+        return true;
+      }
     }
     return false;
   };
@@ -109,18 +115,24 @@ TEST_CASE("a sweep that is killed resumes without running a finished case again"
   const std::vector<fs::path> finished = finished_cases(place.results);
   REQUIRE(finished.size() < 4);
   std::vector<std::string> reports;
-  for (const fs::path& folder : finished) reports.push_back(read_text(folder / "run.json"));
+  for (const fs::path& folder : finished) {
+    reports.push_back(read_text(folder / "run.json"));
+  }
 
   const Outcome outcome = place.sweep(vary);
   INFO(outcome.err);
   CHECK(outcome.code == 0);
-  for (std::size_t k = 0; k < finished.size(); ++k) CHECK(read_text(finished[k] / "run.json") == reports[k]);
+  for (std::size_t k = 0; k < finished.size(); ++k) {
+    CHECK(read_text(finished[k] / "run.json") == reports[k]);
+  }
   CHECK(finished_cases(place.results).size() == 4);
   const fs::path single = place.folder / "single";
   std::vector<std::string> resumed;
   for (std::size_t number = 1; number <= 4; ++number) {
     const fs::path folder = place.case_folder(number);
-    if (!contains(read_text(folder / "log.txt"), "going on from")) continue;
+    if (!contains(read_text(folder / "log.txt"), "going on from")) {
+      continue;
+    }
     resumed.push_back(folder.string());
     const std::string angle = "sand.friction_angle=" + place.value(number, "sand.friction_angle [deg]") + " deg";
     REQUIRE(call({"run", place.scene.string(), "-q", "--overwrite", "-o", single.string(), "--set", angle}).code == 0);
@@ -136,7 +148,9 @@ TEST_CASE("a sweep that is interrupted exits 130 and goes on") {
   REQUIRE(wait_until([&] {
     std::error_code not_there;
     for (const auto& entry : fs::directory_iterator(place.results / "cases", not_there)) {
-      if (fs::exists(entry.path() / "series.h5.partial")) return true;
+      if (fs::exists(entry.path() / "series.h5.partial")) {
+        return true;
+      }
     }
     return false;
   }));
