@@ -22,7 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Short beside any case, long beside asking whether one has ended.
-constexpr std::chrono::milliseconds poll_interval{4};
+constexpr std::chrono::milliseconds poll_interval{2};
 constexpr std::chrono::milliseconds tick_interval{100};
 
 double seconds(Clock::duration duration) {
@@ -52,13 +52,17 @@ class Pool {
 
   PoolResult run() {
     while (!running_.empty() || (!waiting_.empty() && !result_.interrupted)) {
+      const std::vector<std::size_t> ended = collect();
       if (!result_.interrupted) {
         look_for_an_end();
       }
       if (!result_.interrupted) {
         start_some();
       }
-      collect();
+      // The places are taken again before anyone looks into the results.
+      for (const std::size_t index : ended) {
+        end(index);
+      }
       tick();
       std::this_thread::sleep_for(poll_interval);
     }
@@ -135,7 +139,9 @@ class Pool {
     return true;
   }
 
-  void collect() {
+  /// Takes the cases that have ended from the running ones; returns their indices.
+  std::vector<std::size_t> collect() {
+    std::vector<std::size_t> ended;
     for (auto running = running_.begin(); running != running_.end();) {
       const std::optional<int> code = running->process->poll();
       if (!code) {
@@ -148,9 +154,10 @@ class Pool {
       outcome.exit_code = too_early ? static_cast<int>(ExitCode::interrupted) : *code;
       outcome.error_text = running->process->error_text();
       outcome.wall_seconds = seconds(Clock::now() - running->begin);
-      end(running->index);
+      ended.push_back(running->index);
       running = running_.erase(running);
     }
+    return ended;
   }
 
   void end(std::size_t index) const {
