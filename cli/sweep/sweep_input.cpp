@@ -92,7 +92,7 @@ OpenSweep open_existing(const SweepArguments& arguments) {
                     arguments.scene, arguments.scene));
   }
   const SweepFiles files{fs::path(arguments.scene)};
-  return {read_manifest(files), files, std::nullopt};
+  return {read_manifest(files), files, true, std::nullopt};
 }
 
 /// Whether the action runs all cases, or writes the sweep anew.
@@ -111,7 +111,7 @@ OpenSweep open_new(const SweepArguments& arguments) {
   read_options(plan, arguments);
   require_few(plan, arguments.yes);
   OpenSweep open{resolve_sweep(plan),
-                 SweepFiles(arguments.output.empty() ? default_directory(file) : fs::path(arguments.output)),
+                 SweepFiles(arguments.output.empty() ? default_directory(file) : fs::path(arguments.output)), false,
                  std::nullopt};
   require_valid(open.sweep, arguments);
   if (!arguments.list) {

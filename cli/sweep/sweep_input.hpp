@@ -12,6 +12,7 @@ namespace sandsim::cli {
 struct OpenSweep {
   Sweep sweep;
   SweepFiles files;
+  bool is_read_back = false;     // from sweep.json: its scene and files may have changed since
   std::optional<FileLock> lock;  // none for actions that share the sweep with others: --case, --collect, --list
 };
 
