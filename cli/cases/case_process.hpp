@@ -41,8 +41,8 @@ class AnonymousFile {
 FileLock lock_case(const std::filesystem::path& directory);
 
 /// A sandsim command as a child process in a process group of its own, so that Ctrl-C reaches it through its parent
-/// only. When the parent dies, however suddenly, the child gets SIGTERM and writes its checkpoint. It starts with the
-/// destructor's duty: the process is killed if it still runs when this goes.
+/// only. When the parent dies, however suddenly, the child gets SIGTERM and writes its checkpoint. It is killed if it
+/// still runs when this goes.
 class CaseProcess {
  public:
   /// Starts EXECUTABLE ARGUMENTS --progress-fd N. The lock passes to the child. Throws DeviceError.
