@@ -133,7 +133,9 @@ std::optional<CaseReport> read_case_report(const fs::path& directory) {
   }
   const hdf5::Session session;
   try {
-    report.deposit = read_deposit(SeriesReader(files.series));
+    const SeriesReader series(files.series);
+    report.has_one_row = series.read_coordinate("y").size() == 1;
+    report.deposit = read_deposit(series);
   } catch (const hdf5::Failure& failure) {
     throw InputError(fmt::format("{}: {}", files.series.string(), failure.what()));
   }

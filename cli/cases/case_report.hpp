@@ -23,6 +23,7 @@ inline constexpr double deposit_threshold = 0.01;
 struct CaseReport {
   RunReport run;
   std::string scene_hash;
+  bool has_one_row = false;        // of cells: norms of errors are per width; known for cases that are done
   std::optional<Deposit> deposit;  // none where the series keeps no depth
 };
 

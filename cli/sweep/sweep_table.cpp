@@ -85,23 +85,45 @@ double front_error(const CaseReport& report) {
   return none;
 }
 
+double height_error(const CaseReport& report) {
+  for (const ErrorReport& error : report.run.errors) {
+    if (error.height) {
+      return error.height->computed - error.height->reference;
+    }
+  }
+  return none;
+}
+
+/// Norms of a depth over a plane have a length more than over a line; none if the cases differ in this.
+std::string norm_units(const std::vector<CaseState>& states, const char* line, const char* plane) {
+  bool has_line = false, has_plane = false;
+  for (const CaseState& state : states) {
+    if (state.report && state.kind == CaseState::Kind::done) {
+      (state.report->has_one_row ? has_line : has_plane) = true;
+    }
+  }
+  return has_line && has_plane ? "" : has_line ? line : plane;
+}
+
 void add_metrics(Table& table, const std::vector<CaseState>& states) {
-  const auto add = [&](const char* name, const char* units, const char* long_name, const Metric& metric) {
+  const auto add = [&](const char* name, const std::string& units, const std::string& long_name, const Metric& metric) {
     add_metric(table, states, name, units, long_name, metric);
   };
   const std::string outline =
       fmt::format("deeper than {:g} % of the largest depth at the start and the end", 100 * deposit_threshold);
-  add("front", "m", ("largest x of the deposit, " + outline).c_str(), of_deposit(&Deposit::front));
+  add("front", "m", "largest x of the deposit, " + outline, of_deposit(&Deposit::front));
   add("deposit_height", "m", "largest depth at the end", of_deposit(&Deposit::height));
-  add("runout", "m", ("largest distance of the deposit from where the sand was released, " + outline).c_str(),
+  add("runout", "m", "largest distance of the deposit from where the sand was released, " + outline,
       of_deposit(&Deposit::runout));
   add("stop_time", "s", "first moment from which nothing moved; none if the run ended before",
       [](const CaseReport& report) { return report.run.at_rest ? report.run.stop_time : none; });
-  add("error_l1", "m^2", "L1 error against the first reference", of_error(&ErrorReport::l1));
-  add("error_l2", "m^1.5", "L2 error against the first reference", of_error(&ErrorReport::l2));
+  add("error_l1", norm_units(states, "m^2", "m^3"), "L1 error against the first reference", of_error(&ErrorReport::l1));
+  add("error_l2", norm_units(states, "m^1.5", "m^2"), "L2 error against the first reference",
+      of_error(&ErrorReport::l2));
   add("error_linf", "m", "largest error against the first reference", of_error(&ErrorReport::linf));
   add("error_l1_relative", "1", "L1 error over the norm of the first reference", of_error(&ErrorReport::l1_relative));
   add("error_front", "m", "front minus that of the first reference that has one", front_error);
+  add("error_height", "m", "deepest sand minus that of the first reference that has one", height_error);
   add("volume_error", "1", "relative drift of the volume",
       [](const CaseReport& report) { return report.run.ledger.error(); });
   add("max_slope_violation", "1", "steepest face over what friction holds, minus 1, at the end",

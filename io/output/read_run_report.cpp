@@ -72,6 +72,9 @@ ErrorReport read_error(const YAML::Node& node) {
   for (const YAML::Node& front : node["fronts"]) {
     error.fronts.push_back({number(front["depth"]), number(front["computed"]), optional_number(front["reference"])});
   }
+  if (const YAML::Node height = node["height"]) {
+    error.height = {number(height["computed"]), number(height["reference"])};
+  }
   error.note = text(node["note"]);
   return error;
 }

@@ -35,6 +35,7 @@ TEST_CASE("a run report reads back as it was written") {
   error.against = "exact";
   error.l1 = 1e-3;
   error.fronts = {{0.005, 1.25, std::nullopt}, {0.0, 1.5, 1.75}};
+  error.height = {0.25, 0.5};
   report.errors = {error};
   RunContext context;
   context.scene_hash = "fnv1a64:0123456789abcdef";
@@ -59,6 +60,8 @@ TEST_CASE("a run report reads back as it was written") {
   REQUIRE(read.errors.size() == 1);
   CHECK(read.errors[0].l1 == 1e-3);
   CHECK_FALSE(read.errors[0].l2);
+  REQUIRE(read.errors[0].height);
+  CHECK(read.errors[0].height->reference == 0.5);
   REQUIRE(read.errors[0].fronts.size() == 2);
   CHECK_FALSE(read.errors[0].fronts[0].reference);
   CHECK(read.errors[0].fronts[1].reference == 1.75);
