@@ -70,7 +70,12 @@ Metric of_deposit(double Deposit::*member) {
 
 Metric of_error(std::optional<double> ErrorReport::*norm) {
   return [norm](const CaseReport& report) {
-    return report.run.errors.empty() ? none : (report.run.errors.front().*norm).value_or(none);
+    for (const ErrorReport& error : report.run.errors) {
+      if (error.*norm) {
+        return *(error.*norm);
+      }
+    }
+    return none;
   };
 }
 
@@ -117,10 +122,11 @@ void add_metrics(Table& table, const std::vector<CaseState>& states) {
       of_deposit(&Deposit::runout));
   add("stop_time", "s", "first moment from which nothing moved; none if the run ended before",
       [](const CaseReport& report) { return report.run.at_rest ? report.run.stop_time : none; });
-  add("error_l1", norm_units(states, "m^2", "m^3"), "L1 error against the first reference", of_error(&ErrorReport::l1));
-  add("error_l2", norm_units(states, "m^1.5", "m^2"), "L2 error against the first reference",
+  add("error_l1", norm_units(states, "m^2", "m^3"), "L1 error against the first reference that has one",
+      of_error(&ErrorReport::l1));
+  add("error_l2", norm_units(states, "m^1.5", "m^2"), "L2 error against the first reference that has one",
       of_error(&ErrorReport::l2));
-  add("error_linf", "m", "largest error against the first reference", of_error(&ErrorReport::linf));
+  add("error_linf", "m", "largest error against the first reference that has one", of_error(&ErrorReport::linf));
   add("error_l1_relative", "1", "L1 error over the norm of the first reference", of_error(&ErrorReport::l1_relative));
   add("error_front", "m", "front minus that of the first reference that has one", front_error);
   add("error_height", "m", "deepest sand minus that of the first reference that has one", height_error);
