@@ -264,7 +264,7 @@ repeats: 1
   CHECK(contains(outcome.err, place.place("2:1") + "spacings = [4 cm, 2.5 cm]: a fixed step of 0.003125 s"));
 }
 
-TEST_CASE("--list names the settings and runs nothing") {
+TEST_CASE("A list of a study names the settings and runs nothing") {
   const Workplace place(tiny_study);
   const Outcome outcome = place.run({"--list", "--quick"});
   CHECK(outcome.code == 0);
