@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/output/table_file.hpp"
+
 namespace sandsim::cli {
 
 namespace {
@@ -33,16 +35,7 @@ std::vector<std::string> escaped(std::vector<std::string> cells) {
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    line += k == 0 ? "" : ",";
-    if (cells[k].find_first_of(",\"\r\n") == std::string::npos) {
-      line += cells[k];
-      continue;
-    }
-    line += '"';
-    for (const char c : cells[k]) {
-      line += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    line += '"';
+    line += (k == 0 ? std::string() : std::string(",")) + csv_field(cells[k]);
   }
   return line + '\n';
 }

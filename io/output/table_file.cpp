@@ -24,10 +24,7 @@ std::string field(std::int64_t number) {
   return std::to_string(number);
 }
 std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+  return csv_field(text);
 }
 
 std::size_t row_count(const Table& table) {
@@ -87,6 +84,13 @@ void write_columns(hid_t file, const Table& table) {
 }
 
 }  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
 
 std::string csv_text(const Table& table) {
   std::string text;

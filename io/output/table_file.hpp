@@ -24,6 +24,9 @@ struct Table {
   std::vector<std::pair<std::string, std::string>> attributes;
 };
 
+/// A field of a CSV file (RFC 4180): in quotes where it has to be.
+std::string csv_field(const std::string& text);
+
 /// RFC 4180, with "name [units]" in the first line. Numbers read back to the same bits; NaN is an empty field.
 std::string csv_text(const Table& table);
 
