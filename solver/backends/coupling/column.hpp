@@ -101,4 +101,24 @@ SANDSIM_HD Parting<R> part(const Column<R>& column, const Hull& hull) {
   return parting;
 }
 
+/// Sand may run out from under the objects: nothing lies on them, none of it has to go, and beside it stands a free
+/// column that is lower by more than a spacing.
+template <class R>
+SANDSIM_HD bool drains(const Job<R>& job, int i, int j, const Column<R>& column, const Parting<R>& parting) {
+  if (parting.above > R(0) || parting.taken > 0.0) {
+    return false;
+  }
+  const int di[4] = {-1, 1, 0, 0}, dj[4] = {0, 0, -1, 1};
+  for (int side = 0; side < 4; ++side) {
+    const int in = i + di[side], jn = j + dj[side];
+    if (in >= 0 && in < job.nx && jn >= 0 && jn < job.ny) {
+      const Column<R> next = column_at(job, in, jn);
+      if (!next.covered && next.top() < column.top() - job.dx) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace sandsim::coupling

@@ -59,8 +59,8 @@ SANDSIM_HD void look_at_column(const Job<R>& job, int cell, double highest) {
   const Column<R> column = column_at(job, i, j);
   const Hull hull = hull_over(job, cell, column, contact_level(column, highest));
   const bool left_alone = !column.covered && hull.still && !hull.solid && column.rests();
-  const bool covers = hull.lowest < hull.highest && !left_alone;
   const Parting<R> parting = part(column, hull);
+  const bool covers = hull.lowest < hull.highest && !left_alone && !drains(job, i, j, column, parting);
   const double taken = covers ? parting.taken : 0.0;
   job.levels[cell] = covers ? -1 : 0;
   job.row(above_row)[cell] = static_cast<double>(parting.above);
