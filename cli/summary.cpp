@@ -112,8 +112,9 @@ std::string run_summary(const Scene& scene, const RunReport& report, const std::
   text += time_lines(scene, report);
   text += volume_line(report.ledger);
   for (const ObjectReport& object : report.objects) {
-    text += line("object", fmt::format("{}: moved {:.4g} m^3 of sand out of its way, {:.3g} m deep at most",
-                                       object.name, object.displaced_volume, object.deepest));
+    text += line("object",
+                 fmt::format("{}: moved {:.4g} m^3 of sand out of its way, at most {:.3g} m below the sand beside it",
+                             object.name, object.displaced_volume, object.deepest));
   }
   if (report.at_rest) {
     text +=

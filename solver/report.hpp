@@ -30,15 +30,16 @@ struct StageReport {
   double bytes = 0.0;         // bytes moved to and from memory by the stage's arrays, summed over calls
 };
 
-/// What a kinematic object did to the sand, summed over the run; per density.
+/// What a kinematic object did to the sand, summed over the run; per density. Sand that an object displaces counts each
+/// time that it meets it: also its own berm, and what runs in under it as it rises and is pushed back.
 struct ObjectReport {
   std::string name;
-  double overlapped_volume = 0.0;            // [m^3] of sand in the object, at the end
-  double displaced_volume = 0.0;             // [m^3] moved out of its way; what runs back counts again
+  double overlapped_volume = 0.0;            // [m^3] of sand that it met in the last step, before it was moved
+  double displaced_volume = 0.0;             // [m^3] moved out of its way, summed over the steps
   std::array<double, 2> momentum{0.0, 0.0};  // [m^4/s] given to the sand
   double work = 0.0;                         // [m^5/s^2] likewise
-  double deepest = 0.0;                      // [m] largest depth under the surface
-  double seconds = 0.0;                      // spent on it
+  double deepest = 0.0;  // [m] largest depth under the highest sand beside it; drag: under sand on it
+  double seconds = 0.0;  // spent on it
 };
 
 /// Volume that entered and left, summed over the run. [m^3]
