@@ -23,6 +23,7 @@ namespace {
 struct Arguments {
   RunArguments run;
   SweepArguments sweep;
+  FitArguments fit;
   CheckArguments check;
   InfoArguments info;
   SchemaArguments schema;
@@ -163,6 +164,56 @@ void add_sweep(CLI::App& app, Arguments& all) {
   command.callback([&all] { all.command = [&all](Console& console) { return sweep_command(all.sweep, console); }; });
 }
 
+void add_fit_reference(CLI::App& command, FitArguments& fit) {
+  CLI::Option* front = command.add_option("--front", fit.front, "Fit to a front over time (columns time_s,front_m)");
+  front->type_name("FILE.csv");
+  CLI::Option* profile = command.add_option("--profile", fit.profile, "Fit to a profile (columns x_m,depth_m)");
+  profile->type_name("FILE.csv")->excludes(front);
+  command.add_option("--run", fit.run, "Fit to the front of another run, or with --at to its profile")
+      ->type_name("DIR")
+      ->excludes(front)
+      ->excludes(profile);
+  CLI::Option* at = command.add_option("--at", fit.at, "Time of the profile, as in '2 s'; the end if absent");
+  at->type_name("TIME")->excludes(front);
+  command.add_option("--front-depth", fit.front_depth, "Depth of sand that is the front, as in '5 mm' (see below)")
+      ->type_name("LENGTH")
+      ->excludes(profile)
+      ->excludes(at);
+  command.add_option("--tolerance", fit.tolerance, "How well the data are known, as in '2 mm' (see below)")
+      ->type_name("LENGTH");
+}
+
+void add_fit(CLI::App& app, Arguments& all) {
+  FitArguments& fit = all.fit;
+  CLI::App& command = *app.add_subcommand("fit", "Find values of a scene that give a measured front or profile");
+  add_scene(command, fit.scene, fit.overrides);
+  command.add_option("--vary", fit.vary, "What is looked for, between two bounds (see below); may be repeated")
+      ->type_name("KEY=FROM:TO")
+      ->allow_extra_args(false);
+  add_fit_reference(command, fit);
+  command.add_option("-o,--output", fit.output, "Output directory; results/NAME_fit if absent")->type_name("DIR");
+  command.add_option("-j,--jobs", fit.parallel, "Runs at a time; one a processor if absent. The result is the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  command
+      .add_option("--evaluations", fit.evaluations,
+                  "Runs that the search may take, 60 a parameter if absent; ranges and map come on top")
+      ->type_name("N")
+      ->check(CLI::Range(4, 100'000));
+  command.add_option("--map", fit.map, "Points along each side of the map; 0: no map")
+      ->type_name("N")
+      ->check(CLI::Range(0, 0) | CLI::Range(2, 200))
+      ->capture_default_str();
+  command.add_option("--seed", fit.seed, "Of the points that the search starts from")
+      ->type_name("S")
+      ->capture_default_str();
+  command.add_flag("--yes", fit.yes, "Run more than 1000 times, or longer than an hour");
+  command.add_flag("--overwrite", fit.overwrite, "Remove the results of another fit from DIR");
+  command.add_flag("-q,--quiet", fit.quiet, "No progress, warnings or summary; errors only");
+  command.footer(help::fit);
+  command.callback([&all] { all.command = [&all](Console& console) { return fit_command(all.fit, console); }; });
+}
+
 void add_check(CLI::App& app, Arguments& all) {
   CLI::App& command = *app.add_subcommand("check", "Validate a scene and say what running it would take");
   add_scene(command, all.check.scene, all.check.overrides);
@@ -244,6 +295,7 @@ void add_everything(CLI::App& app, Arguments& all) {
   app.get_formatter()->column_width(34);
   add_run(app, all);
   add_sweep(app, all);
+  add_fit(app, all);
   add_check(app, all);
   add_info(app, all);
   add_schema(app, all);
@@ -316,6 +368,7 @@ int run_app(std::span<const std::string> args, std::ostream& out, std::ostream& 
   }
   arguments.run.command_line = command_line(args);
   arguments.sweep.command_line = arguments.run.command_line;
+  arguments.fit.command_line = arguments.run.command_line;
   Console console{out, err, &err == &std::cerr && isatty(STDERR_FILENO) == 1};
   const int code = run_chosen(arguments, console);
   out.flush();

@@ -17,6 +17,7 @@ struct Console {
 
 ExitCode run_command(const RunArguments& arguments, Console& console);
 ExitCode sweep_command(const SweepArguments& arguments, Console& console);
+ExitCode fit_command(const FitArguments& arguments, Console& console);
 ExitCode check_command(const CheckArguments& arguments, Console& console);
 ExitCode info_command(const InfoArguments& arguments, Console& console);
 ExitCode schema_command(const SchemaArguments& arguments, Console& console);

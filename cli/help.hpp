@@ -79,6 +79,46 @@ Examples:
 
 Exit codes: 0 if all cases are done, else that of the first case that failed; 7 or 130 if the sweep was stopped.)";
 
+inline constexpr const char* fit = R"(What is looked for (KEY=FROM:TO), for any number of the scene:
+  sand.hbar.scale=0.3:1                a number between two bounds
+  'sand.hbar.cap=1:20 cm'              with a unit, which holds for both
+  'sand.hbar.cap=1:100 cm:log'         spread by ratios, for what may be of any size
+  Two or three are well found; each must be valid anywhere between its bounds.
+
+What it is fitted to:
+  --front FILE.csv     time_s,front_m: where the front was, and when
+  --profile FILE.csv   x_m,depth_m: depths along one row at the time --at
+  --run DIR            the fronts of a run at its frames, or with --at its profile
+  nothing of these     the scene's own reference: its measured front, else its measured profile, its exact solution
+                       (with the scene's values as they are; its profile with --at), its profile
+  The front is the largest x at which the depth crosses --front-depth downwards; if absent, the first of the scene's
+  reference.front_depths, else 1 % of the largest depth at the start; where only the tip of an exact solution is known,
+  the last wet cell. A run's front is linear between its frames: take time.frame_interval as short as the times of the
+  data are apart.
+
+How:
+  The misfit is the root mean square difference in metres. The search starts from a Latin hypercube and goes down from
+  its two best points with NLopt (BOBYQA, with one parameter Sbplx), each run in memory. Then every parameter is moved
+  away from the best value, both ways, with the others fitted again, until the misfit exceeds that of the best and the
+  tolerance, added in squares: that range fits equally well. Without --tolerance it is 1 % of the front's travel or of
+  the largest depth, for a front at least a tenth of a cell, for a tip a cell. A range that runs into the bounds is
+  said in words: then the data do not tell that value. Ranges are those of runs that were made; with three or more
+  parameters the true ones may be wider. They hold nothing of the grid's own error: fit on a finer grid as well, to see
+  whether the values stay (--set grid.spacing=..., grid.cells=...).
+  Runs that fail count as a large misfit and are listed.
+  A map of the misfit over the first two parameters, others at their best, shows the rest.
+
+Output:
+  DIR/fit.yaml: best values, ranges and findings; fit.csv: all runs; map.csv: the map. scripts/plot DIR draws it.
+
+Examples:
+  sandsim fit scenes/fit --vary sand.hbar.scale=0.3:1 --vary 'sand.hbar.cap=1:10 cm' --front scenes/fit/front.csv
+  sandsim fit scene.yaml --vary 'sand.friction_angle=20:40 deg' --profile deposit.csv --tolerance '2 mm'
+  sandsim fit scene.yaml --vary sand.hbar.scale=0.3:1 --run results/fine --front-depth '5 mm'
+
+Exit codes: 0 done, also if the data do not tell; 1 usage; 2 invalid scene, somewhere between the bounds; 3 files, or a
+reference that the run cannot reach; 5 all runs of the start failed; 6 output; 130 interrupted, fit.csv is kept.)";
+
 inline constexpr const char* check =
     R"(Nothing is run and nothing is written. The number of steps is an estimate: it takes the stable step of the
 initial state for all of the run.

@@ -59,6 +59,27 @@ struct SweepArguments {
   std::string command_line;  // all of it, for the record
 };
 
+struct FitArguments {
+  std::string scene;                   // file, or folder that holds a scene.yaml
+  std::vector<std::string> vary;       // "key=first:last", in the order given
+  std::vector<std::string> overrides;  // "a.b=v", for all runs
+  std::string front;                   // CSV of a front over time; empty: none
+  std::string profile;                 // CSV of a profile
+  std::string run;                     // results folder
+  std::optional<std::string> at;       // time of the profile; absent: the end of the scene
+  std::optional<std::string> front_depth;
+  std::optional<std::string> tolerance;  // how well the data are known; absent: 1 % of the signal
+  std::string output;                    // directory; empty: results/NAME_fit
+  int parallel = 0;                      // runs at a time; 0: as many as there are processors
+  int evaluations = 0;                   // runs that the search may take; 0: 60 a parameter
+  int map = 11;                          // points along each side of the map; 0: no map
+  std::uint64_t seed = 1;
+  bool yes = false;
+  bool overwrite = false;
+  bool quiet = false;
+  std::string command_line;  // all of it, for the record
+};
+
 struct InfoArguments {
   std::string result;
 };

@@ -6,6 +6,7 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 python=/usr/bin/python3                # Debian's own: it sees the python3-* packages, another one may not
 
 run_packages=(cmake ninja-build g++ git libyaml-cpp-dev libcli11-dev libhdf5-dev libfmt-dev libspdlog-dev
+              libnlopt-dev libnlopt-cxx-dev
               python3 python3-numpy python3-matplotlib python3-h5py python3-yaml ffmpeg)
 test_packages=(catch2 python3-scipy python3-xarray python3-h5netcdf python3-netcdf4 python3-jsonschema
                munge slurmctld slurmd slurm-client)
