@@ -45,6 +45,13 @@ std::unique_ptr<Backend> make_with_bed_or_without(const BackendConfig& config, c
   return make_cpu_backend(config, initial);
 }
 
+FieldValues in_precision(const std::vector<double>& values, Precision precision) {
+  if (precision == Precision::float64) {
+    return values;
+  }
+  return std::vector<float>(values.begin(), values.end());
+}
+
 }  // namespace
 
 BackendConfig backend_config(const Scene& scene, int threads) {
@@ -65,12 +72,17 @@ BackendConfig backend_config(const Scene& scene, int threads) {
 }
 
 std::unique_ptr<Backend> make_backend(const BackendConfig& config, const InitialState& initial, Device device) {
-  if (config.covers && initial.bed.empty()) {
-    return make_bed_on_demand(config, [&initial, device](const BackendConfig& part) {
-      return make_with_bed_or_without(part, initial, device);
-    });
+  const auto make = [&initial, device](const BackendConfig& part) {
+    return make_with_bed_or_without(part, initial, device);
+  };
+  std::unique_ptr<Backend> backend =
+      config.covers && initial.bed.empty() ? make_bed_on_demand(config, make) : make(config);
+  if (!initial.momentum_x.empty()) {
+    const Precision precision = config.numerics.precision;
+    backend->set_state({in_precision(initial.depth, precision), in_precision(initial.momentum_x, precision),
+                        in_precision(initial.momentum_y, precision)});
   }
-  return make_with_bed_or_without(config, initial, device);
+  return backend;
 }
 
 std::vector<std::string> output_field_names(const Scene& scene) {

@@ -15,8 +15,8 @@ namespace sandsim {
 
 BackendConfig backend_config(const Scene& scene, int threads);
 
-/// A backend on the CPU or a CUDA device, its memory checked first. `initial` must live as long as the backend. Throws
-/// DeviceError if there is too little, or no such device.
+/// A backend on the CPU or a CUDA device that holds the initial state, its memory checked first. `initial` must live as
+/// long as the backend. Throws DeviceError if there is too little, or no such device.
 std::unique_ptr<Backend> make_backend(const BackendConfig& config, const InitialState& initial, Device device);
 
 /// Names in series.h5 of the fields that the scene asks for.

@@ -141,6 +141,15 @@ struct PartChecks {
   void operator()(const SandRaster& raster) const { check_raster(scene, key + ".file", raster.file, issues); }
 };
 
+void check_velocity(const Scene& scene, const std::string& key, const SandVelocity& velocity, Issues& issues) {
+  if (!scene.grid.one_dimensional() || velocity[1] == 0.0) return;
+  issues.push_back({key + ".velocity",
+                    "sand that moves along y needs rows to move to",
+                    "the grid has one row",
+                    "Use \"0 m/s\" for y.",
+                    {"grid.cells", key + ".type"}});
+}
+
 void check_sources(const Scene& scene, Issues& issues) {
   for (std::size_t k = 0; k < scene.sand.sources.size(); ++k) {
     const SandSource& source = scene.sand.sources[k];
@@ -192,7 +201,9 @@ void check_sand(const Scene& scene, Issues& issues) {
                       {"sand.sources"}});
   }
   for (std::size_t k = 0; k < sand.initial.size(); ++k) {
-    std::visit(PartChecks{scene, "sand.initial." + std::to_string(k), issues}, sand.initial[k]);
+    const std::string key = "sand.initial." + std::to_string(k);
+    std::visit(PartChecks{scene, key, issues}, sand.initial[k]);
+    check_velocity(scene, key, std::visit([](const auto& part) { return part.velocity; }, sand.initial[k]), issues);
   }
   check_sources(scene, issues);
 }

@@ -104,12 +104,32 @@ std::vector<double> build_bed(const Scene& scene, GridProblems& problems) {
 
 // ---- sand -----------------------------------------------------------------------------------------------------------
 
-/// Adds sand part by part onto a bed.
+/// Adds sand part by part onto a bed, with the momentum that it brings along.
 class SandBuilder {
  public:
   SandBuilder(const Grid& grid, const std::vector<double>& bed, GridProblems& problems)
       : grid_(grid), bed_(bed), problems_(problems), depth_(grid.cell_count(), 0.0) {}
 
+  void add(const SandPart& part, const std::string& key) {
+    const std::vector<double> before = depth_;
+    const SandVelocity velocity = std::visit([](const auto& shape) { return shape.velocity; }, part);
+    std::visit([&](const auto& shape) { add(shape, key); }, part);
+    if (velocity == SandVelocity{}) {
+      return;
+    }
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      momentum_[axis].resize(depth_.size(), 0.0);
+      for (std::size_t cell = 0; cell < depth_.size(); ++cell) {
+        momentum_[axis][cell] += (depth_[cell] - before[cell]) * velocity[axis];
+      }
+    }
+  }
+
+  const std::vector<double>& depth() const { return depth_; }
+  /// Along x (0) or y (1); empty if all sand is at rest.
+  const std::vector<double>& momentum(std::size_t axis) const { return momentum_.at(axis); }
+
+ private:
   void add(const SandBox& box, const std::string&) {
     const std::array<double, 2> from = corner_in_cells(box.from);
     const std::array<double, 2> to = corner_in_cells(box.to);
@@ -158,9 +178,6 @@ class SandBuilder {
     }
   }
 
-  const std::vector<double>& depth() const { return depth_; }
-
- private:
   std::array<double, 2> corner_in_cells(const std::array<double, 2>& point) const {
     return {in_cells(point[0] - grid_.origin[0], grid_.spacing), in_cells(point[1] - grid_.origin[1], grid_.spacing)};
   }
@@ -195,19 +212,20 @@ class SandBuilder {
   const std::vector<double>& bed_;
   GridProblems& problems_;
   std::vector<double> depth_;
+  std::array<std::vector<double>, 2> momentum_;
 };
 
-std::vector<double> build_depth(const Scene& scene, const std::vector<double>& bed, GridProblems& problems) {
-  SandBuilder builder(scene.grid, bed, problems);
+void build_sand(const Scene& scene, InitialState& state, GridProblems& problems) {
+  SandBuilder builder(scene.grid, state.bed, problems);
   const std::vector<SandPart>& parts = scene.sand.initial;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const std::string key = entry_key("sand.initial", k, parts.size());
-    std::visit([&](const auto& part) { builder.add(part, key); }, parts[k]);
+    builder.add(parts[k], entry_key("sand.initial", k, parts.size()));
   }
   problems.add_cells(
       "sand.initial", builder.depth(), [](double depth) { return !(depth >= 0.0 && std::isfinite(depth)); },
       "the depth is negative or not finite");
-  return builder.depth();
+  state.depth = builder.depth();
+  state.momentum_x = builder.momentum(0), state.momentum_y = builder.momentum(1);
 }
 
 // ---- material -------------------------------------------------------------------------------------------------------
@@ -276,11 +294,16 @@ InitialState build_initial_state(const Scene& scene) {
   GridProblems problems(scene.grid);
   InitialState state;
   state.bed = build_bed(scene, problems);
-  state.depth = build_depth(scene, state.bed, problems);
+  build_sand(scene, state, problems);
   state.friction_coefficient = build_friction(scene, problems);
   build_hbar(scene, state, problems);
   problems.throw_if_any();
   raise_solid_objects(scene, state);
+  for (std::vector<double>* momentum : {&state.momentum_x, &state.momentum_y}) {
+    for (std::size_t cell = 0; cell < momentum->size(); ++cell) {
+      (*momentum)[cell] = state.depth[cell] > 0.0 ? (*momentum)[cell] : 0.0;  // a solid object took its sand
+    }
+  }
   return state;
 }
 

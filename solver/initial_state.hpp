@@ -14,6 +14,8 @@ struct InitialState {
   std::vector<double> friction_coefficient;  // [-] size 1 or ny * nx
   std::vector<double> hbar_scale;            // [-] alpha in hbar = min(alpha h, cap); size 1 or ny * nx
   std::vector<double> hbar_cap;              // [m] size 1 or ny * nx; 1e30 where there is no cap
+  std::vector<double> momentum_x{};          // [m^2/s] empty if all sand is at rest
+  std::vector<double> momentum_y{};          // [m^2/s] likewise
 };
 
 /// Rasters are resampled bilinearly at the cell centres (see sample() in resample.hpp).

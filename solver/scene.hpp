@@ -72,28 +72,35 @@ struct Fill {
   std::optional<double> depth;    // [m]
   std::optional<double> surface;  // [m]
 };
+/// Sand brings the momentum of its velocity along; what other parts add to a cell mixes with it.
+using SandVelocity = std::array<double, 2>;  // [m/s] x, y; y is 0 in a 1-D scene
 /// Cells partly inside get the covered fraction of the depth. In a 1-D scene only x counts.
 struct SandBox {
   std::array<double, 2> from{0.0, 0.0};  // [m]
   std::array<double, 2> to{0.0, 0.0};    // [m]
   Fill fill;
+  SandVelocity velocity{0.0, 0.0};
 };
 struct SandColumn {
   std::array<double, 2> center{0.0, 0.0};  // [m]
   double radius = 0.0;                     // [m]
   Fill fill;
+  SandVelocity velocity{0.0, 0.0};
 };
 struct SandCone {
   std::array<double, 2> center{0.0, 0.0};  // [m]
   double radius = 0.0;                     // [m]
   double height = 0.0;                     // [m] of sand at the centre
+  SandVelocity velocity{0.0, 0.0};
 };
 struct SandLayer {
   Fill fill;
+  SandVelocity velocity{0.0, 0.0};
 };
 struct SandRaster {
   RasterFile file;  // depth [m]
   double scale = 1.0;
+  SandVelocity velocity{0.0, 0.0};
 };
 using SandPart = std::variant<SandBox, SandColumn, SandCone, SandLayer, SandRaster>;
 

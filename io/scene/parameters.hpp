@@ -51,10 +51,16 @@ void describe(V& v, Fill& f) {
 }
 
 template <class V>
+void describe_velocity(V& v, SandVelocity& velocity) {
+  v.field("velocity", velocity, speed().like("[2 m/s, 0 m/s]"), "Velocity of the sand at the start.");
+}
+
+template <class V>
 void describe(V& v, SandBox& s) {
   v.field("from", s.from, length().required().like("[0 m, 0 m]"), "Corner with the smallest x and y.");
   v.field("to", s.to, length().required().like("[40 cm, 1 cm]"), "Opposite corner.");
   describe(v, s.fill);
+  describe_velocity(v, s.velocity);
 }
 
 template <class V>
@@ -62,6 +68,7 @@ void describe(V& v, SandColumn& s) {
   v.field("center", s.center, length().required().like("[50 cm, 50 cm]"), "Centre of the disc.");
   v.field("radius", s.radius, length().above(0).required().like("10 cm"), "Radius of the disc.");
   describe(v, s.fill);
+  describe_velocity(v, s.velocity);
 }
 
 template <class V>
@@ -69,11 +76,13 @@ void describe(V& v, SandCone& s) {
   v.field("center", s.center, length().required().like("[50 cm, 50 cm]"), "Centre of the cone.");
   v.field("radius", s.radius, length().above(0).required().like("10 cm"), "Radius at the foot.");
   v.field("height", s.height, length().at_least(0).required().like("5 cm"), "Depth of sand at the centre.");
+  describe_velocity(v, s.velocity);
 }
 
 template <class V>
 void describe(V& v, SandLayer& s) {
   describe(v, s.fill);
+  describe_velocity(v, s.velocity);
 }
 
 template <class V>
@@ -81,6 +90,7 @@ void describe(V& v, SandRaster& s) {
   v.field("file", s.file, file().at_least(0).required().like("depth.asc"),
           "ESRI ASCII grid or .npy; a relative name is relative to the scene file.");
   v.field("scale", s.scale, number().at_least(0), "Factor on the values of the raster.");
+  describe_velocity(v, s.velocity);
 }
 
 template <class V>

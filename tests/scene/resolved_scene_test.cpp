@@ -23,6 +23,7 @@ const std::vector<std::vector<std::string>> variations = {
     {"sand.initial=[]", "sand.sources=[{center: [1 cm, 0 m], radius: 1 mm, rate: 3 l/s, end: 1 h}]"},
     {"sand.initial=[{type: cone, center: [3 mm, 1 cm], radius: 3 cm, height: 1 mm}, {type: layer, surface: -0 m}]"},
     {"sand.initial={type: raster, file: data/fractions.asc}"},
+    {"sand.initial={type: layer, depth: 1 mm, velocity: [0.1 m/s, 0 m/s]}"},
     {"terrain={type: plane, inclination: 12.3 deg, direction: 180 deg}"},
     {"terrain=[{type: flat}, {type: raster, file: data/angles.asc, offset: -0.1 m}]"},
     {"boundaries={x_min: periodic, x_max: periodic, y_min: open, y_max: open}"},

@@ -22,7 +22,7 @@ sand:
   friction_coefficient: {raster: data/angles.asc}
   hbar: {policy: truncated, scale: 0.8, cap: {raster: data/angles.asc, unit: m}}
   initial:
-    - {type: box, from: [0 m, 50 cm], to: [40 cm, 1 m], depth: 20 cm}
+    - {type: box, from: [0 m, 50 cm], to: [40 cm, 1 m], depth: 20 cm, velocity: [36 km/h, -20 cm/s]}
     - {type: column, center: [0 m, 1 m], radius: 10 cm, surface: -1 cm}
     - {type: cone, center: [0 m, 1 m], radius: 10 cm, height: 5 cm}
     - {type: layer, depth: 1 mm}
@@ -92,6 +92,8 @@ TEST_CASE("every kind of sand arrives in SI units") {
   REQUIRE(sand.initial.size() == 5);
   CHECK(std::get<SandBox>(sand.initial[0]).to == std::array{0.4, 1.0});
   CHECK(std::get<SandBox>(sand.initial[0]).fill.depth == 0.2);
+  CHECK(std::get<SandBox>(sand.initial[0]).velocity == SandVelocity{10.0, -0.2});
+  CHECK(std::get<SandColumn>(sand.initial[1]).velocity == SandVelocity{});
   CHECK(std::get<SandColumn>(sand.initial[1]).fill.surface == -0.01);
   CHECK_FALSE(std::get<SandColumn>(sand.initial[1]).fill.depth);
   CHECK(std::get<SandCone>(sand.initial[2]).height == 0.05);

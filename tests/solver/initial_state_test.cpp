@@ -51,6 +51,36 @@ std::string error(const Scene& scene) {
   return "no error";
 }
 
+TEST_CASE("sand at rest has no momentum") {
+  Scene scene = scene_of(2, 2);
+  scene.sand.initial = {SandLayer{depth(1.0)}};
+  CHECK(build_initial_state(scene).momentum_x.empty());
+  CHECK(build_initial_state(scene).momentum_y.empty());
+}
+
+TEST_CASE("each part of the sand brings the momentum of its own depth along") {
+  Scene scene = scene_of(3, 2);
+  scene.sand.initial = {SandLayer{depth(2.0)}, SandBox{{0.0, 0.0}, {1.5, 1.0}, depth(4.0), {10.0, -1.0}},
+                        SandLayer{surface(3.0), {0.0, 0.5}}};
+  const InitialState state = build_initial_state(scene);
+  CHECK(state.depth == std::vector<double>{6, 4, 3, 3, 3, 3});
+  CHECK(state.momentum_x == std::vector<double>{40, 20, 0, 0, 0, 0});
+  CHECK(state.momentum_y == std::vector<double>{-4, -2, 0.5, 0.5, 0.5, 0.5});
+}
+
+TEST_CASE("a solid object takes the momentum of the sand that it replaces") {
+  Scene scene = scene_of(2, 1);
+  scene.sand.initial = {SandLayer{depth(1.0), {3.0, 0.0}}};
+  KinematicObject block;
+  block.shape = BoxShape{{1.0, 1.0, 4.0}, {}};
+  block.position = {0.5, 0.5, 0.0};
+  block.coupling = Coupling::solid;
+  scene.objects = {block};
+  const InitialState state = build_initial_state(scene);
+  CHECK(state.depth == std::vector<double>{0, 1});
+  CHECK(state.momentum_x == std::vector<double>{0, 3});
+}
+
 TEST_CASE("flat terrain at level zero has no bed") {
   Scene scene = scene_of(3, 1);
   CHECK(build_initial_state(scene).bed.empty());
