@@ -29,6 +29,7 @@ struct Arguments {
   SchemaArguments schema;
   BenchArguments bench;
   StudyArguments study;
+  StressArguments stress;
   std::function<ExitCode(Console&)> command;
 };
 
@@ -69,7 +70,7 @@ void add_device(CLI::App& command, Device& device, const std::string& meaning) {
       ->check(one_of({"auto", "cpu", "cuda"}));
 }
 
-void add_wall_limit(CLI::App& command, double& limit) {
+void add_wall_limit(CLI::App& command, double& limit, const std::string& meaning) {
   const auto read = [&limit](const std::string& text) {
     const std::optional<double> seconds = parse_wall_clock(text);
     if (!seconds) {
@@ -77,8 +78,7 @@ void add_wall_limit(CLI::App& command, double& limit) {
     }
     limit = *seconds;
   };
-  command.add_option_function<std::string>("--max-wall", read, "End after this much time, with a checkpoint")
-      ->type_name("HH:MM:SS");
+  command.add_option_function<std::string>("--max-wall", read, meaning)->type_name("HH:MM:SS");
 }
 
 void add_run(CLI::App& app, Arguments& all) {
@@ -92,7 +92,7 @@ void add_run(CLI::App& app, Arguments& all) {
   add_precision(command, run.precision, "Override numerics.precision");
   CLI::Option* resume = command.add_flag("--resume", run.resume, "Go on from DIR's checkpoint.h5");
   command.add_flag("--overwrite", run.overwrite, "Remove the results of an earlier run from DIR")->excludes(resume);
-  add_wall_limit(command, run.max_wall);
+  add_wall_limit(command, run.max_wall, "End after this much time, with a checkpoint");
   command.add_flag("--json", run.json, "Print the run report (run.json) instead of the summary");
   CLI::Option* quiet = command.add_flag("-q,--quiet", run.quiet, "No progress, summary or warnings; errors only");
   command.add_flag("-v,--verbose", run.verbose, "Say what is chosen and done, on standard error")->excludes(quiet);
@@ -153,7 +153,7 @@ void add_sweep(CLI::App& app, Arguments& all) {
       ->check(CLI::Range(1, 4096));
   add_precision(command, sweep.precision, "Override numerics.precision in all cases");
   add_device(command, sweep.device, "As for run");
-  add_wall_limit(command, sweep.max_wall);
+  add_wall_limit(command, sweep.max_wall, "End after this much time, the running cases with checkpoints");
   command.add_flag("--yes", sweep.yes, "Run more than 1000 cases");
   command.add_flag("--skip-invalid", sweep.skip_invalid, "Record cases that are no valid scene and run the others");
   command.add_flag("--retry", sweep.retry, "Run cases that broke down numerically once more");
@@ -288,6 +288,28 @@ void add_study(CLI::App& app, Arguments& all) {
   command.callback([&all] { all.command = [&all](Console& console) { return study_command(all.study, console); }; });
 }
 
+void add_stress(CLI::App& app, Arguments& all) {
+  StressArguments& stress = all.stress;
+  CLI::App& command = *app.add_subcommand("stress", "Run stiff and extreme cases and judge them");
+  command.add_option("SCENE", stress.scenes, "Scenes to judge instead of the built-in matrix");
+  command.add_option("-o,--output", stress.output, "Output directory")->type_name("DIR")->capture_default_str();
+  command.add_flag("--overwrite", stress.overwrite, "Replace the results in DIR");
+  command.add_flag("--quick", stress.quick, "Every eighth case and the corners of the maps");
+  command.add_option("--only", stress.only, "Only cases with TEXT in their names")->type_name("TEXT");
+  const auto choose_device = [&stress](const std::string& name) {
+    stress.device = name == "cuda" ? Device::cuda : Device::cpu;
+  };
+  command.add_option_function<std::string>("--device", choose_device, "What they run on; cpu if absent")
+      ->type_name("cpu|cuda")
+      ->check(one_of({"cpu", "cuda"}));
+  command.add_option("-j,--jobs", stress.jobs, "Runs side by side; all processors if absent, 1 with cuda")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  add_wall_limit(command, stress.max_wall, "Give a run up after this much time; 30 s if absent, none for SCENE");
+  command.footer(help::stress);
+  command.callback([&all] { all.command = [&all](Console& console) { return stress_command(all.stress, console); }; });
+}
+
 void add_everything(CLI::App& app, Arguments& all) {
   app.set_version_flag("--version", source_line(), "Print the version and exit");
   app.require_subcommand(1);
@@ -302,6 +324,7 @@ void add_everything(CLI::App& app, Arguments& all) {
   add_devices(app, all);
   add_bench(app, all);
   add_study(app, all);
+  add_stress(app, all);
 }
 
 int usage_error(std::ostream& err, const CLI::App& app, const std::string& message) {
@@ -369,6 +392,7 @@ int run_app(std::span<const std::string> args, std::ostream& out, std::ostream& 
   arguments.run.command_line = command_line(args);
   arguments.sweep.command_line = arguments.run.command_line;
   arguments.fit.command_line = arguments.run.command_line;
+  arguments.stress.command_line = arguments.run.command_line;
   Console console{out, err, &err == &std::cerr && isatty(STDERR_FILENO) == 1};
   const int code = run_chosen(arguments, console);
   out.flush();

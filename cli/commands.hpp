@@ -24,5 +24,6 @@ ExitCode schema_command(const SchemaArguments& arguments, Console& console);
 ExitCode devices_command(Console& console);
 ExitCode bench_command(const BenchArguments& arguments, Console& console);
 ExitCode study_command(const StudyArguments& arguments, Console& console);
+ExitCode stress_command(const StressArguments& arguments, Console& console);
 
 }  // namespace sandsim::cli

@@ -203,4 +203,32 @@ Examples:
   sandsim study scenes/studies/flume.yaml --list
   sandsim study scenes/studies/flume.yaml -o results/try --quick --under 5e-2)";
 
+inline constexpr const char* stress =
+    R"(Each case is run with the paper scheme and the balanced one of order 1 and 2, in float32 and float64, each twice.
+What a run has to satisfy; E is the speed that its energy explains, u0 + sqrt(g H), H from the lowest bed
+to the highest sand:
+  ending   it comes to its end, or is refused with the right message
+  finite   no depth or momentum is infinite or not a number
+  depth    no depth is negative
+  volume   |error| at most 2e-6 in float32, 1e-13 in float64, of what was there and came in
+  speed    at most 5 E
+  step     none shorter than 0.015 dx/E
+  rest     sand that friction holds has not changed by a bit (in cases at rest)
+  repeat   the second run has the bits of the first
+Some cases state other bounds. Cases that the paper scheme is known to fail, and why, count as known.
+Runs are processes of their own: a crash or a hang is a failure of its case and stops nothing.
+
+Output:
+  DIR/stress.csv and maps.csv hold a row a case (a cell of the stability maps) and scheme, DIR/stress.md the
+  table to read, DIR/scenes all cases as scene files, DIR/failures those that failed with their scheme set:
+  'sandsim run DIR/failures/NAME.yaml' reproduces one. scripts/plot DIR draws the maps.
+
+Exit code 0 if all is as expected, 5 if something else failed.
+
+Examples:
+  sandsim stress                                  the built-in matrix: a few minutes
+  sandsim stress --quick -o results/quick
+  sandsim stress --only velocity_ --overwrite
+  sandsim stress scenes/flume/scene.yaml my.yaml  your own scenes by the same criteria)";
+
 }  // namespace sandsim::cli::help
