@@ -26,6 +26,16 @@ struct FaceFlux {
   R mass, normal, transverse, jump_left, jump_right;
 };
 
+/// What friction has to hold at a face: see surface_drop(). Flat: the bed is not looked at. [m]
+template <bool Flat, class R>
+SANDSIM_HD R face_drop(const FaceSide<R>& L, const FaceSide<R>& Q, R surface_jump) {
+  if constexpr (Flat) {
+    return absolute(surface_jump);
+  } else {
+    return surface_drop(surface_jump, L.h, Q.h, L.b, Q.b);
+  }
+}
+
 /// What static friction makes of a face.
 template <class R>
 struct FrictionHold {
@@ -37,15 +47,11 @@ struct FrictionHold {
 /// excess then fades ever more slowly (phi goes with the excess) and, in float32, stops at rounding. So a quarter of
 /// an excess of up to 1 % slides down in each step: the largest share that leaves a peak between four faces above mu
 /// no lower than its neighbours' mirror image. Steeper faces are left to the dynamics.
-template <bool Flat, class R>
-SANDSIM_HD FrictionHold<R> friction_hold(const FaceSide<R>& L, const FaceSide<R>& Q, R surface_jump,
+template <class R>
+SANDSIM_HD FrictionHold<R> friction_hold(const FaceSide<R>& L, const FaceSide<R>& Q, R drop,
                                          const StepParameters<R>& p) {
   const R mu = minimum(L.material.mu, Q.material.mu);
   const R held = mu * p.dx;
-  R drop = absolute(surface_jump);
-  if constexpr (!Flat) {
-    drop = surface_drop(surface_jump, L.h, Q.h, L.b, Q.b);
-  }
   const auto stands = drop <= held;
   const R share = every(stands) ? R(1) : select(stands, R(1), held / drop);
   const R demand = maximum(L.demand, Q.demand);
@@ -53,6 +59,20 @@ SANDSIM_HD FrictionHold<R> friction_hold(const FaceSide<R>& L, const FaceSide<R>
   const auto topples = (mu > R(0)) & (demand == R(0)) & (drop > held) & (drop <= constant<R>(1.01) * held);
   return {select(mu > R(0), 1 - share * stillness, R(1)),
           select(topples, R(0.25f) * (drop - held) * p.cell_a_step, R(0))};
+}
+
+/// Between two materials a face may stay above the smaller mu, since the rougher cell is held by its own: the other one
+/// then pushes against a slope that its reconstruction does not see, for ever. There the excess goes at the speed of
+/// the waves, as first order has it, while the sand creeps: at up to four steps' worth of friction. An excess of no
+/// more than the rounding of the depths stays. [m^2/s]
+template <class R>
+SANDSIM_HD R slump_between_materials(const FaceSide<R>& L, const FaceSide<R>& Q, R drop, R wave,
+                                     const StepParameters<R>& p) {
+  const R demand = maximum(L.demand, Q.demand);
+  const R creep = maximum(R(0), 1 - R(0.25f) * demand * p.inverse_g_dt);
+  const R mu = minimum(L.material.mu, Q.material.mu);
+  const R rounding = R(2 * unit_rounding<R>) * (L.h + Q.h);
+  return select(mu > R(0), R(0.5f) * wave * creep * maximum(R(0), drop - mu * p.dx - rounding), R(0));
 }
 
 template <bool Flat, class R>
@@ -77,7 +97,8 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   const R c_right = square_root(p.g * hbar(x_right, Q.material));
   const R a_plus = maximum(maximum(u_left + c_left, u_right + c_right), zero);
   const R a_minus = minimum(minimum(u_left - c_left, u_right - c_right), zero);
-  const FrictionHold<R> hold = friction_hold<Flat>(L, Q, surface_jump, p);
+  const R drop = face_drop<Flat>(L, Q, surface_jump);
+  const FrictionHold<R> hold = friction_hold(L, Q, drop, p);
   const R phi = hold.phi;
   const R b_plus = maximum(maximum(u_left + phi * c_left, u_right + phi * c_right), zero);
   const R b_minus = minimum(minimum(u_left - phi * c_left, u_right - phi * c_right), zero);
@@ -92,13 +113,26 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   const R out_right = -b_minus * (b_plus - u_right) * per_width * x_right;
   const R m_left = minimum(select(flows, out_left, zero), cap_left);
   const R m_right = minimum(select(flows, out_right, zero), cap_right);
-  // The slide takes what the caps leave.
   const auto leftward = surface_jump > zero;
-  const R slide = minimum(hold.topple, select(leftward, cap_right - m_right, cap_left - m_left));
+  R topple = hold.topple;
+  const auto differ = L.material.mu != Q.material.mu;
+  if (any(differ)) {
+    const R slump = slump_between_materials(L, Q, drop, maximum(c_left, c_right), p);
+    const R downhill = select(leftward, m_right - m_left, m_left - m_right);
+    topple = select(differ, select(slump > zero, maximum(zero, slump - downhill), zero), topple);
+  }
+  // The slide takes what the caps leave.
+  const R slide = minimum(topple, select(leftward, cap_right - m_right, cap_left - m_left));
 
   FaceFlux<R> F;
   F.mass = (m_left - m_right) + select(leftward, -slide, slide);
   F.normal = m_left * u_left - m_right * u_right;
+  // A trickle below the rounding of the depth that it comes from would not lower it: a spring that never runs dry.
+  const auto still = (u_left == zero) & (u_right == zero);
+  const R trickle = select(still, absolute(F.mass), m_left + m_right + slide);
+  const auto dries_up = trickle * p.ratio < R(unit_rounding<R> / 2) * select(F.mass > zero, L.h, Q.h);
+  F.mass = select(dries_up, zero, F.mass);
+  F.normal = select(dries_up, zero, F.normal);
   F.transverse = F.mass * select(F.mass > zero, L.transverse, Q.transverse);
 
   // Pressure: g hbar times the jump, shared between the sides by the wave speeds.
@@ -107,12 +141,13 @@ SANDSIM_HD FaceFlux<R> balanced_flux(const FaceSide<R>& L, const FaceSide<R>& Q,
   const auto connected =
       ((beta >= zero) & (x_left < h_left) & (x_left > zero)) | ((beta < zero) & (x_right < h_right) & (x_right > zero));
   const R jump = select(connected, ds, x_right - x_left);
-  const R H_left = mean_hbar(x_left, x_right, L.material);
-  const R H_right = mean_hbar(x_left, x_right, Q.material);
-  const R held_left = phi * H_left + (1 - phi) * minimum(H_left, 2 * hbar(L.h, L.material));
-  const R held_right = phi * H_right + (1 - phi) * minimum(H_right, 2 * hbar(Q.h, Q.material));
-  const R jump_left = p.g * (-a_minus * per_spread * select(phi != R(1), held_left, H_left)) * jump;
-  const R jump_right = p.g * (a_plus * per_spread * select(phi != R(1), held_right, H_right)) * jump;
+  // Where the materials differ the thinner dilute layer transmits the pressure: dense sand does not push. The other
+  // layer's force would drive a thin neighbour without bound.
+  const R H = minimum(mean_hbar(x_left, x_right, L.material), mean_hbar(x_left, x_right, Q.material));
+  const R held_left = phi * H + (1 - phi) * minimum(H, 2 * hbar(L.h, L.material));
+  const R held_right = phi * H + (1 - phi) * minimum(H, 2 * hbar(Q.h, Q.material));
+  const R jump_left = p.g * (-a_minus * per_spread * select(phi != R(1), held_left, H)) * jump;
+  const R jump_right = p.g * (a_plus * per_spread * select(phi != R(1), held_right, H)) * jump;
 
   const auto empty = (x_left <= zero) & (x_right <= zero);
   F.mass = select(empty, zero, F.mass);

@@ -48,7 +48,9 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
   const R h_new = h - k * flow.mass;
 
   const auto wet = h > p.dry_depth;
-  const auto held = wet & (old.hu == zero) & (old.hv == zero) & (c.G <= m.mu);
+  const R lift = p.dt * p.g * hbar(h + c.dh, m), grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
+  const R hold = holding(grip, lift, h, p.inverse_dx), creep = constant<R>(creep_fraction) * grip;
+  const auto held = wet & (maximum(absolute(old.hu), absolute(old.hv)) <= creep) & (c.G <= m.mu);
   const R h_east = h + half * c.sh_x + c.dh, h_west = h - half * c.sh_x + c.dh;
   R push_x = p.g * mean_hbar(h_east, h_west, m) * c.ss_x + (east.jump_left + west.jump_right);
   R push_y = zero;
@@ -70,13 +72,12 @@ SANDSIM_HD State<R> balanced_update(const State<R>& old, const CellCore<R>& c, c
   }
 
   R hu = old.hu - k * (flow.x + push_x), hv = old.hv - k * (flow.y + push_y);
-  const R grip = p.dt * m.mu * p.g * hbar(h + c.dh, m);
   if constexpr (Order == 2) {
-    const Slowed<R> slowed = slow_down_turning(hu, hv, old.hu, old.hv, grip);
+    const Slowed<R> slowed = slow_down_turning(hu, hv, old.hu, old.hv, grip, hold);
     hu = slowed.x;
     hv = slowed.y;
   } else {
-    const R factor = friction_factor(OneD ? absolute(hu) : length(hu, hv), grip);
+    const R factor = friction_factor(OneD ? absolute(hu) : length(hu, hv), grip, hold);
     hu = hu * factor;
     hv = hv * factor;
   }
