@@ -128,9 +128,10 @@ double largest_slope_violation(const Diagnosed<R>& d) {
     const R h_left = d.h.row(j)[i], h_right = d.h.row(je)[ie];
     const R mu = std::min(d.friction(i, j), d.friction(ie, je));
     if (h_left > d.parameters.dry_depth && h_right > d.parameters.dry_depth && mu > R(0)) {
-      const R jump = physics::surface_difference(h_left, h_right, d.b(i, j), d.b(ie, je));
-      const double ratio =
-          static_cast<double>(std::fabs(jump)) / (static_cast<double>(mu) * static_cast<double>(d.parameters.dx));
+      const R b_left = d.b(i, j), b_right = d.b(ie, je);
+      const R jump = physics::surface_difference(h_left, h_right, b_left, b_right);
+      const R drop = physics::surface_drop(jump, h_left, h_right, b_left, b_right);
+      const double ratio = static_cast<double>(drop) / (static_cast<double>(mu) * static_cast<double>(d.parameters.dx));
       largest = std::max(largest, ratio - 1.0);
     }
   };

@@ -68,6 +68,16 @@ Values depth_after(const BackendConfig& c, const InitialState& s, int steps) {
   return std::get<Values>(backend->state().depth);
 }
 
+TEST_CASE("The slope violation is that of what friction has to hold") {
+  InitialState s{{}, {0.3, 0.2}, {0.5}, {1.0}, {1e30}};
+  const BackendConfig two = config(2, 1, BoundaryKind::wall);
+  CHECK_THAT(make_cpu_backend(two, s)->slope_violation(), WithinAbs(1.0, 1e-14));  // 0.1 m over 0.1 m, mu 0.5
+  // At the edge of a drop only the upper cell's own depth counts, twice: 0.02 m.
+  s.bed = {1.0, 0.0};
+  s.depth = {0.01, 0.2};
+  CHECK(make_cpu_backend(two, s)->slope_violation() == 0.0);
+}
+
 TEST_CASE("On a periodic grid a shifted state gives the shifted result") {
   const int nx = 23, ny = 17;
   for (const Numerics& numerics : all_numerics()) {
