@@ -97,6 +97,11 @@ std::vector<double> build_bed(const Scene& scene, GridProblems& problems) {
     const std::string key = entry_key("terrain", k, scene.terrain.size());
     std::visit([&](const auto& part) { add_terrain(part, scene.grid, key, problems, bed); }, scene.terrain[k]);
   }
+  if (scene.numerics.precision == Precision::float32) {
+    // As the run will hold it: sand that is filled up to a level is level there.
+    std::transform(bed.begin(), bed.end(), bed.begin(),
+                   [](double b) { return static_cast<double>(static_cast<float>(b)); });
+  }
   problems.add_cells(
       "terrain", bed, [](double b) { return !std::isfinite(b); }, "the bed is not finite");
   return bed;

@@ -19,6 +19,7 @@ Scene scene_of(int nx, int ny, double spacing = 1.0) {
   Scene scene;
   scene.grid = {{nx, ny}, spacing, {0.0, 0.0}};
   scene.sand.friction_coefficient = 0.5;
+  scene.numerics.precision = Precision::float64;
   return scene;
 }
 
@@ -100,6 +101,19 @@ TEST_CASE("a plane falls along its direction from the grid's origin") {
         std::vector<double>{1 - 0.5 * slope, 1 - 1.5 * slope, 1 - 0.5 * slope, 1 - 1.5 * slope});
   scene.terrain = {PlaneTerrain{0.3, pi, 1.0}};
   CHECK(build_initial_state(scene).bed[1] == 1 + 1.5 * slope);
+}
+
+TEST_CASE("the bed is what the run's precision holds and sand fills it up to its level") {
+  Scene scene = scene_of(64, 1, 0.01);
+  scene.numerics.precision = Precision::float32;
+  scene.terrain = {PlaneTerrain{1.2, 0.0, 10.0}};
+  scene.sand.initial = {SandLayer{surface(10.0)}};
+  const InitialState state = build_initial_state(scene);
+  for (std::size_t cell = 0; cell < 64; ++cell) {
+    CHECK(state.bed[cell] == static_cast<double>(static_cast<float>(state.bed[cell])));
+    // The sum rounds once in double precision; a bed that is rounded afterwards would be off by 5e-7.
+    CHECK_THAT(state.bed[cell] + state.depth[cell], WithinAbs(10.0, 4e-15));
+  }
 }
 
 TEST_CASE("planes in transposed directions are transposed to the last bit") {
