@@ -136,7 +136,7 @@ struct TimeControl {
   double end = 0.0;               // [s]
   double frame_interval = 0.0;    // [s]
   bool stop_at_rest = false;
-  std::optional<double> minimum_step;  // [s] below this the run stops; absent: 1e-9 of `end`
+  std::optional<double> minimum_step;  // [s] below this the run stops; absent: 1e-9 of `end`, at most 1e-6 of the first
 };
 
 struct Numerics {

@@ -32,12 +32,18 @@ double drift_tolerance(Precision precision) {
 /// Between two looks at interrupts and limits the steps should take about this long. [s]
 constexpr double look_interval = 0.01;
 
-StepRules step_rules(const Scene& scene, const BackendConfig& config) {
+/// The shortest step of a scene that does not say: a collapse is told from a long run of short steps by where the steps
+/// began. [s]
+double default_minimum_step(const TimeControl& time, double first_step) {
+  return std::min(1e-9 * time.end, 1e-6 * first_step);
+}
+
+StepRules step_rules(const Scene& scene, const BackendConfig& config, double first_step) {
   StepRules rules;
   const TimeControl& time = scene.time;
   rules.fixed_step = time.mode == TimeMode::fixed ? time.step : 0.0;
   rules.subcycle = time.subcycle;
-  rules.minimum_step = time.minimum_step.value_or(1e-9 * time.end);
+  rules.minimum_step = time.minimum_step.value_or(default_minimum_step(time, first_step));
   rules.rain_step = HUGE_VAL;
   rules.rain_end = -HUGE_VAL;
   rules.objects_end = objects_change_until(config.objects);
@@ -105,7 +111,7 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
       backend_config_(backend_config(scene, options.threads)),
       backend_(make_backend(backend_config_, initial_, options.device)),
       snapshots_(scene, initial_),
-      rules_(step_rules(scene, backend_config_)) {
+      rules_(step_rules(scene, backend_config_, backend_->stable_step())) {
   const Numerics& numerics = scene.numerics;
   report_.device = backend_->device();
   report_.threads = backend_->threads();

@@ -156,7 +156,7 @@ void describe(V& v, TimeControl& t) {
           "Simulated time between frames of the output.");
   v.field("stop_at_rest", t.stop_at_rest, choice(), "End as soon as nothing moves and no source will flow.");
   v.field("minimum_step", t.minimum_step, time_span().above(0),
-          "A step shorter than this stops the run; without it, 1e-9 of the end.");
+          "A step shorter than this stops the run; without it, 1e-9 of the end or 1e-6 of the first stable step.");
 }
 
 template <class V>

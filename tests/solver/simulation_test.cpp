@@ -201,6 +201,19 @@ TEST_CASE("A collapsing step stops the run with its cell") {
   CHECK(report.failure->i >= 0);
 }
 
+TEST_CASE("Short steps in a long run are no collapse") {
+  Scene scene = collapse(40, 1, Precision::float32);
+  SandLayer layer;
+  layer.fill.depth = 0.1;
+  scene.sand.initial = {layer};
+  scene.time.end = 1e8;  // 1e-9 of it is ten stable steps
+  scene.time.frame_interval = 1e7;
+  MemorySink sink;
+  const RunReport report = run(scene, {}, sink);
+  CHECK(report.status == "done");
+  CHECK(report.at_rest);
+}
+
 TEST_CASE("A source brings what its rate promises onto a dry bed") {
   Scene scene = collapse(41, 41, Precision::float64);
   scene.sand.initial.clear();
