@@ -92,7 +92,7 @@ void add_run(CLI::App& app, Arguments& all) {
   add_precision(command, run.precision, "Override numerics.precision");
   CLI::Option* resume = command.add_flag("--resume", run.resume, "Go on from DIR's checkpoint.h5");
   command.add_flag("--overwrite", run.overwrite, "Remove the results of an earlier run from DIR")->excludes(resume);
-  add_wall_limit(command, run.max_wall, "End after this much time, with a checkpoint");
+  add_wall_limit(command, run.max_wall);
   command.add_flag("--json", run.json, "Print the run report (run.json) instead of the summary");
   CLI::Option* quiet = command.add_flag("-q,--quiet", run.quiet, "No progress, summary or warnings; errors only");
   command.add_flag("-v,--verbose", run.verbose, "Say what is chosen and done, on standard error")->excludes(quiet);
@@ -295,6 +295,10 @@ void add_stress(CLI::App& app, Arguments& all) {
   command.add_option("-o,--output", stress.output, "Output directory")->type_name("DIR")->capture_default_str();
   command.add_flag("--overwrite", stress.overwrite, "Replace the results in DIR");
   command.add_flag("--quick", stress.quick, "Every eighth case and the corners of the maps");
+  command.add_option("--random", stress.randoms, "Scenes drawn at random; more of them leave the first as they are")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
   command.add_option("--only", stress.only, "Only cases with TEXT in their names")->type_name("TEXT");
   const auto choose_device = [&stress](const std::string& name) {
     stress.device = name == "cuda" ? Device::cuda : Device::cpu;

@@ -229,6 +229,7 @@ Examples:
   sandsim stress                                  the built-in matrix: a few minutes
   sandsim stress --quick -o results/quick
   sandsim stress --only velocity_ --overwrite
+  sandsim stress --only random_ --random 5000     look for trouble
   sandsim stress scenes/flume/scene.yaml my.yaml  your own scenes by the same criteria)";
 
 }  // namespace sandsim::cli::help

@@ -114,6 +114,7 @@ struct StressArguments {
   std::vector<std::string> scenes;  // empty: the built-in matrix
   std::string output = "results/stress";
   std::string only;             // part of the names of the cases to run
+  int randoms = 200;            // scenes drawn at random
   Device device = Device::cpu;  // cpu or cuda
   int jobs = 0;                 // runs side by side; 0: all processors, one on a CUDA device
   double max_wall = 0.0;        // [s] of a run; 0: as the command has it

@@ -19,6 +19,7 @@ void visit_numbers(Measured& m, const Visitor& visit) {
   visit(m.is_repeated);
   visit(m.is_unchanged);
   visit(m.at_rest);
+  visit(m.slope_violation);
   visit(m.steps);
   visit(m.volume_error);
   visit(m.max_speed);
@@ -98,6 +99,9 @@ std::vector<Finding> judge(const Measurement& measured, const Criteria& criteria
                       criteria.step));
   require(!criteria.rest_kept || measured.is_unchanged, "rest",
           fmt::format("sand at rest has moved, at {:.1e} m/s at most", measured.max_speed));
+  require(!criteria.stops || measured.at_rest, "stops", "the sand has not come to rest");
+  require(!criteria.stops || !measured.at_rest || measured.slope_violation <= resting_excess, "stops",
+          fmt::format("a face at rest is {:.1f} % steeper than friction holds", 100.0 * measured.slope_violation));
   return findings;
 }
 

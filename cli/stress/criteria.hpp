@@ -13,12 +13,13 @@ namespace sandsim::cli {
 /// A run of a scene and its repetition, as plain numbers.
 struct Measurement {
   int exit_code = 0;
-  std::string message;        // of a run that did not come to its end
-  bool is_finite = true;      // depth and momentum in all frames
-  bool is_positive = true;    // depth in all frames
-  bool is_repeated = true;    // the second run has the bits of the first
-  bool is_unchanged = false;  // the last frame has the values of the first
-  bool at_rest = false;
+  std::string message;           // of a run that did not come to its end
+  bool is_finite = true;         // depth and momentum in all frames
+  bool is_positive = true;       // depth in all frames
+  bool is_repeated = true;       // the second run has the bits of the first
+  bool is_unchanged = false;     // the last frame has the values of the first
+  bool at_rest = false;          // at the end
+  double slope_violation = 0.0;  // [-] largest |ds|/(mu dx) - 1 over wet faces at the end
   std::int64_t steps = 0;
   double volume_error = 0.0;  // relative
   double max_speed = 0.0;     // [m/s] in all frames
@@ -39,7 +40,7 @@ struct Measurement {
 
 /// A criterion that a run does not satisfy.
 struct Finding {
-  std::string criterion;  // ending, finite, depth, volume, speed, step, rest, repeat
+  std::string criterion;  // ending, finite, depth, volume, speed, step, rest, stops, repeat
   std::string what;       // the numbers
 };
 

@@ -91,6 +91,7 @@ void add_rest(std::vector<StressCase>& cases) {
   lake.scene.end = 1.0;
   lake.rasters = {make_noise("depth_lake_bed.npy", 24, 24, 10.0, 5)};
   lake.criteria.rest_kept = true;
+  lake.paper = "eq. 11 evens out the depths of a lake on an uneven bed, which tilts its surface";
   cases.push_back(lake);
   StressCase film{"depth_rest_film", "a film of 1e-8 m at rest on a slope of 29 deg", {}};
   film.scene.terrain = "{type: plane, inclination: 29 deg}";

@@ -100,6 +100,7 @@ void add_rest(std::vector<StressCase>& cases) {
   lake.scene.initial = "{type: layer, surface: 4 m}";
   lake.rasters = {bed, caps};
   lake.criteria.rest_kept = true;
+  lake.paper = central_difference;
   cases.push_back(lake);
 }
 

@@ -9,17 +9,21 @@
 
 namespace sandsim::cli {
 
-std::vector<StressCase> stress_matrix() {
+std::vector<StressCase> stress_matrix(int randoms) {
   const std::pair<const char*, std::vector<StressCase> (*)()> themes[] = {
-      {"friction", friction_cases}, {"hbar", hbar_cases},         {"depth", depth_cases}, {"scale", scale_cases},
-      {"terrain", terrain_cases},   {"velocity", velocity_cases}, {"step", step_cases},   {"grid", grid_cases},
-      {"source", source_cases},     {"object", object_cases}};
+      {"friction", friction_cases}, {"hbar", hbar_cases},         {"depth", depth_cases},      {"scale", scale_cases},
+      {"terrain", terrain_cases},   {"velocity", velocity_cases}, {"step", step_cases},        {"grid", grid_cases},
+      {"source", source_cases},     {"object", object_cases},     {"stopping", stopping_cases}};
   std::vector<StressCase> all;
   for (const auto& [theme, make] : themes) {
     for (StressCase& made : make()) {
       made.theme = theme;
       all.push_back(std::move(made));
     }
+  }
+  for (StressCase& made : random_cases(randoms)) {
+    made.theme = "random";
+    all.push_back(std::move(made));
   }
   return all;
 }

@@ -7,6 +7,13 @@
 
 namespace sandsim::cli {
 
+/// Why the paper's scheme does not keep level sand at rest among steps of the bed.
+inline constexpr const char* central_difference =
+    "eq. 17 takes the central difference of s across islands and cliffs, which pushes level sand";
+/// Why the paper's scheme stops with faces that are too steep.
+inline constexpr const char* mean_of_faces =
+    "eq. 17 sees the mean of two faces, so that single faces stay steeper than friction holds";
+
 /// Friction from none to almost a wall, and jumps of it between neighbours.
 std::vector<StressCase> friction_cases();
 /// hbar from 1e-12 m to all of 100 m of sand, and jumps of it between neighbours.
@@ -28,8 +35,16 @@ std::vector<StressCase> source_cases();
 /// Objects that are fast, tiny, huge, spinning, jumping.
 std::vector<StressCase> object_cases();
 
-/// All of them with their themes. Names are unique.
-std::vector<StressCase> stress_matrix();
+/// So many scenes drawn at random from all of the above but sources and objects; more of them leave the first as they
+/// are.
+std::vector<StressCase> random_cases(int count);
+/// Heaps that have to come to rest, none of their faces steeper than friction holds.
+std::vector<StressCase> stopping_cases();
+
+inline constexpr int random_count = 200;
+
+/// All of them with their themes, and so many random ones. Names are unique.
+std::vector<StressCase> stress_matrix(int randoms = random_count);
 
 /// The cells of the stability maps: Courant number x friction angle, and hbar/h x slope.
 std::vector<StressCase> stability_maps();

@@ -127,12 +127,13 @@ Measurement measure_scene(Scene scene, const Trial& trial, const MeasureOptions&
   measured.message = report.message;
   measured.is_finite = watch.is_finite();
   measured.is_positive = watch.is_positive();
-  // What a clock has stopped need not be repeated.
+  // What a clock has stopped need not be repeated; a run that breaks at a frame may have gone some steps beyond it.
   measured.is_repeated =
-      report.exit_code == ExitCode::wall_clock_limit ||
-      (watch.ends_like(again) && report.steps == repeated.steps && report.message == repeated.message);
+      report.exit_code == ExitCode::wall_clock_limit || (watch.ends_like(again) && report.message == repeated.message &&
+                                                         (report.steps == repeated.steps || report.failure));
   measured.is_unchanged = watch.is_unchanged();
   measured.at_rest = report.at_rest;
+  measured.slope_violation = report.max_slope_violation;
   measured.steps = report.steps;
   measured.volume_error = report.ledger.error();
   measured.max_speed = watch.fastest();

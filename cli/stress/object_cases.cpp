@@ -69,6 +69,7 @@ void add_odd(std::vector<StressCase>& cases) {
                        "shape: {type: box, size: [8 cm, 8 cm, 20 cm]}, position: [16 cm, 16 cm, 0 m], coupling: solid",
                        0.2, 0.0));
   cases.back().criteria.rest_kept = true;
+  cases.back().paper = central_difference;
   cases.push_back(
       meet("object_meeting", "two plates that clap together at 1 m/s each",
            "shape: {type: box, size: [2 cm, 20 cm, 20 cm]}, position: [8 cm, 16 cm, 5 cm], motion: {type: "

@@ -38,7 +38,7 @@ StressCase hbar_cell(double ratio, double slope) {
   made.scene.terrain = fmt::format("{{type: plane, inclination: {} deg, direction: 30 deg}}", slope);
   made.scene.hbar = fmt::format("{{policy: scaled, scale: {}}}", ratio);
   made.scene.initial = "{type: box, from: [4 cells, 6 cells], to: [12 cells, 18 cells], depth: 8 cm}";
-  made.scene.end = 0.2;
+  made.scene.end = 1.0;
   made.place = MapPlace{"hbar_slope", ratio, slope};
   return made;
 }

@@ -9,6 +9,10 @@
 
 namespace sandsim::cli {
 
+/// Faces between cells at rest may stand this much above mu: the balanced scheme lets an excess of up to 1 % slide off
+/// (solver/physics/balanced_flux.hpp), and first order leaves twice as much.
+inline constexpr double resting_excess = 0.02;
+
 /// What a run has to satisfy besides finite values, depths that are not negative, and the same bits when it is
 /// repeated. Speeds are in units of the energy speed E = u0 + push + sqrt(g (H + rise)), where u0 is the fastest sand
 /// at the start and H the height from the lowest bed to the highest sand.
@@ -23,6 +27,7 @@ struct Criteria {
   /// Shortest step in dx/E. At the largest speed of 5 E along both axes the balanced scheme of order 2 takes
   /// 0.6/(4 x 5) = 0.03, the paper's 1/(4 x 6) = 0.04; frames cut steps in half. 0: not judged.
   double step = 0.015;
+  bool stops = false;      // everything is at rest before the end, no face steeper than mu by more than resting_excess
   bool rest_kept = false;  // every depth and momentum is the same at the end
   double push = 0.0;       // [m/s] by objects
   double rise = 0.0;       // [m] by sources and objects

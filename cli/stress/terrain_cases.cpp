@@ -147,10 +147,12 @@ void add_rest(std::vector<StressCase>& cases) {
                            make_noise("", side, side, cliff, 8));
   lake.scene.friction = "friction_angle: 0 deg";
   lake.scene.initial = "{type: layer, surface: 50 cm}";
+  lake.paper = central_difference;
   cases.push_back(lake);
   StressCase plateau = on_bed("terrain_rest_spikes", "level sand with friction among spikes and pits of 100 cells",
                               field(), bed_2d([](int i, int j) { return (i * 7 + j * 3) % 5 == 0 ? cliff : 0.0; }));
   plateau.scene.initial = "{type: layer, surface: 10 cm}";
+  plateau.paper = central_difference;
   cases.push_back(plateau);
   StressCase valley = on_bed("terrain_rest_valley", "sand at 0.95 of its angle in a valley", field(),
                              bed_2d([](int i, int) { return 0.9 * cell * std::abs(i - 16); }));

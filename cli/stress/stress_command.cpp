@@ -17,6 +17,7 @@
 #include "cli/text.hpp"
 #include "io/output/atomic_file.hpp"
 #include "io/output/version.hpp"
+#include "io/scene/scene_reader.hpp"
 #include "solver/backends/cuda/cuda.hpp"
 #include "solver/errors.hpp"
 
@@ -76,6 +77,7 @@ Batch given_cases(const std::vector<std::string>& scenes) {
     its.theme = "given";
     batch.cases.push_back(its);
     batch.scenes.push_back(scene_file(given));
+    read_scene(batch.scenes.back());  // a scene that is none is no finding
   }
   return batch;
 }
@@ -171,10 +173,11 @@ void Stress::write_tables(const StressTable& matrix, const StressTable& maps) {
 
 ExitCode Stress::run() {
   const bool is_given = !arguments_.scenes.empty();
-  const Batch cases = is_given ? given_cases(arguments_.scenes) : own_cases(stress_matrix(), arguments_, files_);
+  const Batch cases =
+      is_given ? given_cases(arguments_.scenes) : own_cases(stress_matrix(arguments_.randoms), arguments_, files_);
   const Batch cells = is_given ? Batch{} : own_cases(stability_maps(), arguments_, files_);
   if (cases.cases.empty() && cells.cases.empty()) {
-    throw InputError("--only " + arguments_.only + ": no case has a name with this in it");
+    throw Error(ExitCode::usage, "--only " + arguments_.only + ": no case has this in its name");
   }
   const StressTable matrix = run_batch(cases, "cases");
   const StressTable maps = run_batch(cells, "map cells");
