@@ -22,7 +22,7 @@ struct Measurement {
   double slope_violation = 0.0;  // [-] largest |ds|/(mu dx) - 1 over wet faces at the end
   std::int64_t steps = 0;
   double volume_error = 0.0;  // relative
-  double max_speed = 0.0;     // [m/s] in all frames
+  double max_speed = 0.0;     // [m/s] in all steps
   double dt_min = 0.0;        // [s]
   double energy_speed = 0.0;  // [m/s] E, see Criteria
   double spacing = 0.0;       // [m]

@@ -18,7 +18,7 @@ namespace sandsim::cli {
 
 namespace {
 
-/// Looks at every frame, and keeps the first and the last one.
+/// Looks at every frame, and keeps the first and the last one; the speed is that of all steps if the run ends well.
 class Watch : public Sink {
  public:
   void begin(const Scene&, const StaticFields&) override {}
@@ -33,7 +33,15 @@ class Watch : public Sink {
     }
     last_ = std::move(frame.fields);
   }
-  void end(const FinalFields&) override {}
+  void end(const FinalFields& fields) override {
+    std::visit(
+        [&](const auto& speeds) {
+          for (const auto speed : speeds) {
+            fastest_ = std::max(fastest_, static_cast<double>(speed));
+          }
+        },
+        fields.max_speed);
+  }
 
   bool is_finite() const { return is_finite_; }
   bool is_positive() const { return is_positive_; }
@@ -115,7 +123,7 @@ RunReport run_watched(const Scene& scene, const MeasureOptions& options, Watch& 
 Measurement measure_scene(Scene scene, const Trial& trial, const MeasureOptions& options) {
   scene.output.fields = {OutputField::depth, OutputField::momentum};
   scene.output.frames = true;
-  scene.output.maxima = false;
+  scene.output.maxima = true;
   scene.reference.reset();
   Measurement measured;
   measured.spacing = scene.grid.spacing;
