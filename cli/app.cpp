@@ -92,7 +92,7 @@ void add_run(CLI::App& app, Arguments& all) {
   add_precision(command, run.precision, "Override numerics.precision");
   CLI::Option* resume = command.add_flag("--resume", run.resume, "Go on from DIR's checkpoint.h5");
   command.add_flag("--overwrite", run.overwrite, "Remove the results of an earlier run from DIR")->excludes(resume);
-  add_wall_limit(command, run.max_wall);
+  add_wall_limit(command, run.max_wall, "End after this much time, with a checkpoint");
   command.add_flag("--json", run.json, "Print the run report (run.json) instead of the summary");
   CLI::Option* quiet = command.add_flag("-q,--quiet", run.quiet, "No progress, summary or warnings; errors only");
   command.add_flag("-v,--verbose", run.verbose, "Say what is chosen and done, on standard error")->excludes(quiet);
