@@ -1,4 +1,4 @@
-// Rasters of the stress matrix: made from a function of the cell, written as .npy.
+// Rasters of the stress matrix: made from a function of the cell.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,5 @@ CaseRaster make_raster(const std::string& file, int nx, int ny, const std::funct
 
 /// White noise in [0, height) [the values' unit], the same on every machine.
 CaseRaster make_noise(const std::string& file, int nx, int ny, double height, std::uint64_t seed);
-
-/// The bytes of the raster's file: format 1.0 of .npy, float64.
-std::string npy_bytes(const CaseRaster& raster);
 
 }  // namespace sandsim::cli

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "cli/stress/case_raster.hpp"
+#include "io/raster/write_npy.hpp"
 #include "io/scene/resolved_scene.hpp"
 #include "solver/errors.hpp"
 
@@ -77,7 +77,8 @@ StressFiles prepare_stress_directory(const fs::path& directory, bool overwrite) 
 
 fs::path write_case(const StressCase& its, const fs::path& folder) {
   for (const CaseRaster& raster : its.rasters) {
-    write_file(folder / raster.file, npy_bytes(raster));
+    write_file(folder / raster.file,
+               npy_bytes(raster.values, static_cast<std::size_t>(raster.nx), static_cast<std::size_t>(raster.ny)));
   }
   const fs::path scene = folder / (its.name + ".yaml");
   write_file(scene, its.scene.text(its.meaning));
