@@ -6,29 +6,23 @@
 #include <ostream>
 
 #include "cli/text.hpp"
+#include "io/output/table_file.hpp"
 
 namespace sandsim::cli {
 
 namespace {
 
-/// A field of CSV: in quotes, on one line.
-std::string quoted(const std::string& text) {
-  std::string field = "\"";
-  for (const char c : text.substr(0, text.find('\n'))) {
-    field += c;
-    if (c == '"') {
-      field += c;
-    }
-  }
-  return field + '"';
+/// The first line of a text as a field.
+std::string csv_line(const std::string& text) {
+  return csv_field(text.substr(0, text.find('\n')));
 }
 
 std::string csv_numbers(const StressRow& row, const std::string& device) {
   const Measurement& m = row.measured;
   return fmt::format("{},{},{},{},{},{},{},{:.3e},{:.4e},{:.4g},{:.4e},{:.4g},{:.3f},{},{}\n", row.variant.scheme,
                      std::max(1, row.variant.order), row.variant.precision_name(), device, row.verdict(),
-                     quoted(row.failed_criteria()), m.steps, m.volume_error, m.max_speed, m.relative_speed(), m.dt_min,
-                     m.relative_step(), m.wall_time, m.exit_code, quoted(m.message));
+                     csv_line(row.failed_criteria()), m.steps, m.volume_error, m.max_speed, m.relative_speed(),
+                     m.dt_min, m.relative_step(), m.wall_time, m.exit_code, csv_line(m.message));
 }
 
 constexpr const char* number_columns =
@@ -82,7 +76,7 @@ std::string stress_csv(const StressTable& table) {
   std::string text = std::string("theme,case,") + number_columns;
   for (const StressRow& row : table.rows) {
     const StressCase& its = table.cases[row.index];
-    text += fmt::format("{},{},", its.theme, quoted(its.name)) + csv_numbers(row, table.device);
+    text += fmt::format("{},{},", its.theme, csv_line(its.name)) + csv_numbers(row, table.device);
   }
   return text;
 }
@@ -107,18 +101,18 @@ std::string stress_markdown(const StressTable& table) {
   for (std::size_t k = 0; k < table.cases.size(); ++k) {
     const StressCase& its = table.cases[k];
     text += fmt::format("| {} |", its.name);
-    bool has_known = false;
+    std::string reason;
     for (std::size_t v = 0; v < variants; ++v) {
       const StressRow& row = table.rows[k * variants + v];
-      has_known = has_known || row.is_known;
+      reason = row.is_known ? its.reason(row.variant.order == 0) : reason;
       text += row.passed() ? " pass |" : fmt::format(" {}: {} |", row.verdict(), row.failed_criteria());
     }
     text += fmt::format(" {} |\n", its.meaning);
-    if (has_known) {
-      reasons += fmt::format("- {}: {}.\n", its.name, its.paper);
+    if (!reason.empty()) {
+      reasons += fmt::format("- {}: {}.\n", its.name, reason);
     }
   }
-  return text + (reasons.empty() ? "" : "\nWhy the paper's scheme fails:\n\n" + reasons);
+  return text + (reasons.empty() ? "" : "\nWhy failures are known:\n\n" + reasons);
 }
 
 std::string count_markdown(const StressTable& table) {

@@ -17,7 +17,7 @@ struct StressRow {
   Variant variant;
   Measurement measured;
   std::vector<Finding> findings;  // empty: it passed
-  bool is_known = false;          // failed, and the case says why the paper's scheme does
+  bool is_known = false;          // failed, and the case says why
 
   bool passed() const { return findings.empty(); }
   /// "pass", "known" or "FAIL".
@@ -41,7 +41,7 @@ struct StressTable {
 std::string stress_csv(const StressTable& table);
 std::string maps_csv(const StressTable& table);
 
-/// One line a case with a column a variant, then the reasons for which the paper's scheme fails.
+/// One line a case with a column a variant, then the reasons of the failures that are known.
 std::string stress_markdown(const StressTable& table);
 
 /// How many passed, by theme and variant, as lines of a Markdown table.
