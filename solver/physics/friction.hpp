@@ -1,8 +1,6 @@
 // Coulomb friction: implicit, with an exact zero (eq. 18 and 19).
 #pragma once
 
-#include <limits>
-
 #include "solver/physics/parameters.hpp"
 
 namespace sandsim::physics {
@@ -23,7 +21,7 @@ SANDSIM_HD R friction_factor(R size, R grip) {
 /// four times that is room. `lift` is dt g hbar, the push of a slope of 1. Without friction nothing is held.
 template <class R>
 SANDSIM_HD R holding(R grip, R lift, R h, R inverse_dx) {
-  constexpr Scalar<R> eps = std::numeric_limits<Scalar<R>>::epsilon();
+  constexpr Scalar<R> eps = unit_rounding<R>;
   return select(grip > R(0), grip * R(1 + 16 * eps) + lift * (R(16 * eps) * h * inverse_dx), grip);
 }
 

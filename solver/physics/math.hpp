@@ -33,7 +33,7 @@ using Scalar = typename ScalarOf<R>::type;
 template <class R>
 inline constexpr R largest_number = std::numeric_limits<R>::max();
 template <class R>
-inline constexpr R epsilon = std::numeric_limits<R>::epsilon();
+inline constexpr Scalar<R> unit_rounding = std::numeric_limits<Scalar<R>>::epsilon();
 template <class R>
 inline constexpr R infinity = std::numeric_limits<R>::infinity();
 

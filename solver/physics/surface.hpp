@@ -1,14 +1,9 @@
 // Differences of the surface s = h + b between cells, and the slope that friction has to hold.
 #pragma once
 
-#include <limits>
-
 #include "solver/physics/parameters.hpp"
 
 namespace sandsim::physics {
-
-template <class R>
-inline constexpr Scalar<R> unit_rounding = std::numeric_limits<Scalar<R>>::epsilon();
 
 /// s_right - s_left, computed from differences, and 0 below the level of rounding (so that a lake is flat).
 template <class R>

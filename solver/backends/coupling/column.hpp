@@ -92,7 +92,7 @@ SANDSIM_HD Parting<R> part(const Column<R>& column, const Hull& hull) {
     const double above = physics::clamp(column.top() - hull.highest, 0.0, column.flowing());
     parting.above = static_cast<R>(above);
     if (static_cast<double>(parting.above) > above) {  // rounded up: nothing below may become negative
-      parting.above = parting.above * (R(1) - physics::epsilon<R>);
+      parting.above = parting.above * (R(1) - physics::unit_rounding<R>);
     }
     parting.below = column.flowing() - static_cast<double>(parting.above);
   }
