@@ -68,8 +68,10 @@ SANDSIM_HD void look_at_column(const Job<R>& job, int cell, double highest) {
   job.row(top_row)[cell] = physics::minimum(hull.highest, column.ground + highest_bed * job.dx);
   job.row(taken_row)[cell] = taken;
   job.row(amount_row)[cell] = taken;
-  job.row(velocity_x_row)[cell] = covers ? hull.velocity.x : 0.0;
-  job.row(velocity_y_row)[cell] = covers && !job.one_d ? hull.velocity.y : 0.0;
+  const double speed = physics::length(hull.velocity.x, hull.velocity.y);
+  const double share = speed > job.most_speed ? job.most_speed / speed : 1.0;
+  job.row(velocity_x_row)[cell] = covers ? share * hull.velocity.x : 0.0;
+  job.row(velocity_y_row)[cell] = covers && !job.one_d ? share * hull.velocity.y : 0.0;
   job.row(deep_row)[cell] = covers ? physics::maximum(0.0, highest - hull.lowest) : 0.0;
   for (int side = 0; side < 4; ++side) {
     job.row(out_row + side)[cell] = 0.0;

@@ -71,6 +71,7 @@ struct Job {
   Body body;
   const Body* others = nullptr;  // of the same kind of coupling, that reach into the patch
   int other_count = 0;
+  double most_speed = 0.0;  // [m/s] of the sand that covering objects push
   VerticalTransfer vertical = VerticalTransfer::none;
   double* scratch = nullptr;     // scratch_rows numbers a cell, row by row
   int* levels = nullptr;         // one a cell

@@ -1,6 +1,7 @@
 // From the objects of a step to jobs, on the host.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "solver/backend.hpp"
@@ -18,6 +19,10 @@ Body make_body(const Grid& grid, const objects::Object& object, const ObjectStep
 std::vector<Body> bodies_beside(const BackendConfig& config, const std::vector<ObjectStep>& steps, std::size_t own,
                                 const Patch& patch);
 
+/// Sand is pushed at no more than this many times the speed of shallow waves on a depth of one spacing: what is faster
+/// jumps from place to place and strikes nothing.
+inline constexpr double most_push = 100.0;
+
 /// A job without memory and without fields.
 template <class R>
 Job<R> make_job(const BackendConfig& config, const ObjectStep& step) {
@@ -30,6 +35,7 @@ Job<R> make_job(const BackendConfig& config, const ObjectStep& step) {
   job.x0 = grid.origin[0], job.y0 = grid.origin[1], job.dx = grid.spacing;
   job.patch = patch_around(objects::unite(object.bounds(step.before), object.bounds(step.after)), grid);
   job.body = make_body(grid, object, step);
+  job.most_speed = config.gravity > 0.0 ? most_push * std::sqrt(config.gravity * grid.spacing) : HUGE_VAL;
   job.vertical = object.vertical();
   return job;
 }
