@@ -216,7 +216,7 @@ to the highest sand:
   rest     sand that friction holds has not changed by a bit (in cases at rest)
   repeat   the second run has the bits of the first
   stops    sand comes to exact rest, no face steeper than friction holds (in cases that have to stop)
-Some cases state other bounds. Cases that a scheme is known to fail, with the reason, count as known.
+Some cases state other bounds. Cases that the paper scheme is known to fail, with the reason, count as known.
 Runs are processes of their own: a crash or a hang is a failure of its case and stops nothing.
 
 Output:

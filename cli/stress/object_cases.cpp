@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "cli/stress/matrix.hpp"
 
 namespace sandsim::cli {
@@ -42,10 +40,6 @@ void add_couplings(std::vector<StressCase>& cases) {
                          "[6 cm, 16 cm, 4 cm]}}, {{time: 10.001 ms, position: [26 cm, 16 cm, 4 cm]}}]}}",
                          coupling),
              0.05, 2e5));
-    if (std::string_view(coupling) != "drag") {
-      cases.back().open_flaw =
-          "an object that covers the sand gives it the speed of its jump, 2e5 m/s, and loses volume";
-    }
     cases.push_back(meet(fmt::format("object_tiny_{}", coupling),
                          fmt::format("a ball of a tenth of a cell at 1 m/s, {}", coupling),
                          fmt::format("shape: {{type: sphere, radius: 1 mm}}, position: [5 cm, 16 cm, 5.95 cm], motion: "

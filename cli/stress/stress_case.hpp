@@ -69,15 +69,11 @@ struct StressCase {
   std::string meaning;  // what is extreme about it
   SceneText scene;
   Criteria criteria{};
-  std::string paper{};      // why the paper's scheme fails, in one line; empty: it has to pass like the balanced one
-  std::string open_flaw{};  // why the program fails it with any scheme, until it is mended; empty: it has to pass
+  std::string paper{};  // why the paper's scheme fails, in one line; empty: it has to pass like the balanced one
   std::vector<CaseRaster> rasters{};
   double step_in_bounds = 0.0;  // fixed steps of so many stability bounds of the initial state; 0: as the scene says
   std::string theme{};          // filled in by the matrix
   std::optional<MapPlace> place{};
-
-  /// Why a failure with the paper's scheme, or with another one, is known; empty if it is not.
-  const std::string& reason(bool with_paper) const { return with_paper && !paper.empty() ? paper : open_flaw; }
 };
 
 }  // namespace sandsim::cli

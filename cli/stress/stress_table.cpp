@@ -104,7 +104,7 @@ std::string stress_markdown(const StressTable& table) {
     std::string reason;
     for (std::size_t v = 0; v < variants; ++v) {
       const StressRow& row = table.rows[k * variants + v];
-      reason = row.is_known ? its.reason(row.variant.order == 0) : reason;
+      reason = row.is_known ? its.paper : reason;
       text += row.passed() ? " pass |" : fmt::format(" {}: {} |", row.verdict(), row.failed_criteria());
     }
     text += fmt::format(" {} |\n", its.meaning);
