@@ -160,8 +160,8 @@ StudySession::Results StudySession::measure_variants() {
 /// What the numbers cannot say, and settings without them.
 void StudySession::remark_on(const StudyFindings& findings) {
   std::vector<std::string>& remarks = setting_.remarks;
-  // The study itself keeps one processor busy; half of one more is what a desktop does on the side.
-  if (setting_.load_before > 0.5) {
+  // A study keeps one processor busy, and so did the one before; half of one more is what a desktop does on the side.
+  if (setting_.load_before > std::max(0.5, setting_.processors - 0.5)) {
     remarks.push_back("The machine was busy with something else: the times are not to be trusted.");
   }
   const bool any_order = std::any_of(findings.points.begin(), findings.points.end(),
