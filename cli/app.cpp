@@ -61,13 +61,13 @@ void add_threads(CLI::App& command, int& threads) {
       ->check(CLI::Range(1, 4096));
 }
 
-void add_device(CLI::App& command, Device& device, const std::string& meaning) {
+void add_device(CLI::App& command, Device& device, const std::string& meaning,
+                const std::string& type = "auto|cpu|cuda",
+                const std::vector<std::string>& names = {"auto", "cpu", "cuda"}) {
   const auto choose = [&device](const std::string& name) {
     device = name == "cuda" ? Device::cuda : name == "cpu" ? Device::cpu : Device::automatic;
   };
-  command.add_option_function<std::string>("--device", choose, meaning)
-      ->type_name("auto|cpu|cuda")
-      ->check(one_of({"auto", "cpu", "cuda"}));
+  command.add_option_function<std::string>("--device", choose, meaning)->type_name(type)->check(one_of(names));
 }
 
 void add_wall_limit(CLI::App& command, double& limit, const std::string& meaning) {
@@ -244,12 +244,7 @@ void add_devices(CLI::App& app, Arguments& all) {
 void add_bench(CLI::App& app, Arguments& all) {
   BenchArguments& bench = all.bench;
   CLI::App& command = *app.add_subcommand("bench", "Measure the step against this machine's copy bandwidth");
-  const auto choose_device = [&bench](const std::string& name) {
-    bench.device = name == "cuda" ? Device::cuda : Device::cpu;
-  };
-  command.add_option_function<std::string>("--device", choose_device, "What is measured; cpu if absent")
-      ->type_name("cpu|cuda")
-      ->check(one_of({"cpu", "cuda"}));
+  add_device(command, bench.device, "What is measured; cpu if absent", "cpu|cuda", {"cpu", "cuda"});
   command
       .add_option("--size", bench.size,
                   "Cells along each side; 2048 if absent, with --device cuda all of 64, 128, ..., 16384")
@@ -300,12 +295,7 @@ void add_stress(CLI::App& app, Arguments& all) {
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   command.add_option("--only", stress.only, "Only cases with TEXT in their names")->type_name("TEXT");
-  const auto choose_device = [&stress](const std::string& name) {
-    stress.device = name == "cuda" ? Device::cuda : Device::cpu;
-  };
-  command.add_option_function<std::string>("--device", choose_device, "What they run on; cpu if absent")
-      ->type_name("cpu|cuda")
-      ->check(one_of({"cpu", "cuda"}));
+  add_device(command, stress.device, "What they run on; cpu if absent", "cpu|cuda", {"cpu", "cuda"});
   command.add_option("-j,--jobs", stress.jobs, "Runs side by side; all processors if absent, 1 with cuda")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
