@@ -1,8 +1,9 @@
 // `displace` and `solid`: the sand that an object overlaps is moved out of its way, conservatively, and the object is
-// bed for the flow: sand piles up against it and runs over it, and none runs into it. What lies between the object and
-// the ground is held until the object leaves. The sand to be moved goes to the nearest columns that no object covers,
-// with the velocity of the object (eq. 20 lets the overlapped part move at that velocity). Columns between hand it on
-// from level to level, a level being the number of cells to the nearest free one (after Sumner, O'Brien, Hodgins 1999).
+// bed for the flow: sand piles up against it and runs over it. What fits between the object and the ground is held
+// there until the object leaves or the sand beside it has sunk. The sand to be moved goes to the nearest columns that
+// no object covers, with the velocity of the object (eq. 20 lets the overlapped part move at that velocity). Columns
+// between hand it on from level to level, a level being the number of cells to the nearest free one (after Sumner,
+// O'Brien, Hodgins 1999).
 #pragma once
 
 #include "solver/backends/coupling/column.hpp"
