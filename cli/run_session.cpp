@@ -34,8 +34,8 @@ bool can_resume(const RunReport& report) {
 /// "results/flume: series.h5, run.json, ...": what is there now.
 std::string files_there(const OutputFiles& files) {
   std::vector<std::string> names;
-  for (const fs::path& file : {files.series, partial_series_path(files.series), files.xdmf, files.report, files.scene,
-                               files.log, files.checkpoint}) {
+  for (const fs::path& file : {files.series, partial_series_path(files.series), files.xdmf, files.particles_xdmf,
+                               files.report, files.scene, files.log, files.checkpoint}) {
     if (fs::exists(file)) {
       names.push_back(file.filename().string());
     }
@@ -169,7 +169,9 @@ void RunSession::conclude(const RunReport& report) {
 
 void RunSession::write_xdmf_beside(bool finished) {
   try {
-    write_xdmf(finished ? files_.series : partial_series_path(files_.series), files_.xdmf);
+    const fs::path series = finished ? files_.series : partial_series_path(files_.series);
+    write_xdmf(series, files_.xdmf);
+    write_particle_xdmf(series, files_.particles_xdmf);
   } catch (const InputError& error) {
     // The series of a run that did not finish may hold nothing to describe; a finished one must be readable.
     if (finished) {

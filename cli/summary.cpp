@@ -116,6 +116,14 @@ std::string run_summary(const Scene& scene, const RunReport& report, const std::
                  fmt::format("{}: moved {:.4g} m^3 of sand out of its way, at most {:.3g} m below the sand beside it",
                              object.name, object.displaced_volume, object.deepest));
   }
+  if (report.particles) {
+    const ParticleReport& particles = *report.particles;
+    text +=
+        line("particles",
+             fmt::format("{} in every frame; {} gone into the cell of an older one, {} out of the grid, "
+                         "as many new ones",
+                         format_count(particles.count), format_count(particles.merged), format_count(particles.left)));
+  }
   if (report.at_rest) {
     text +=
         line("slopes", report.max_slope_violation > 0.0

@@ -95,6 +95,26 @@ class Series:
             raise KeyError(f"{self.file}: no '{name}' here: ask for it with output.fields and output.frames")
         return self._h5[name][self._index(frame)]
 
+    def objects(self, frame):
+        """Objects that are there at a frame: {name: (position (3) [m], rotation matrix (3, 3))}; a point p of an object
+        is at position + rotation @ p in the scene."""
+        if "object_name" not in self._h5:
+            return {}
+        index = self._index(frame)
+        place = zip(self._h5["object_name"][:], self._h5["object_present"][index], self._h5["object_position"][index],
+                    self._h5["object_rotation"][index])
+        return {_text(name): (position, _rotation(*quaternion)) for name, there, position, quaternion in place if there}
+
+    @property
+    def has_particles(self):
+        return "particle_id" in self._h5
+
+    def particles(self, frame):
+        """The visible particles of a frame: positions (n, 3) [m], ids (n)."""
+        index = self._index(frame)
+        visible = self._h5["particle_visible"][index] != 0
+        return self._h5["particle_position"][index][visible], self._h5["particle_id"][index][visible]
+
     def reference_depth(self, frame):
         """Exact depth at a frame (x) [m], or None where no exact solution is known."""
         if "reference_depth" not in self._h5:
@@ -169,6 +189,12 @@ def _open(path):
     if path.suffix != ".partial":
         return h5py.File(path, "r")
     return h5py.File(path, "r", libver="latest", swmr=True)
+
+
+def _rotation(w, x, y, z):
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 def _text(value):

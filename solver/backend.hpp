@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/initial_state.hpp"
 #include "solver/objects/object.hpp"
+#include "solver/particles.hpp"
 #include "solver/report.hpp"
 #include "solver/scene.hpp"
 #include "solver/sink.hpp"
@@ -53,6 +55,7 @@ struct BackendConfig {
   double courant = 0.6;
   std::vector<SandRain> rains;
   std::vector<std::shared_ptr<const objects::Object>> objects;
+  std::optional<Particles> particles;
   bool maxima = false;         // keep max_depth, max_speed, arrival_time
   double arrival_depth = 0.0;  // [m]
   int threads = 0;             // 0: as many as the machine has; results do not depend on it
@@ -90,6 +93,7 @@ struct CaptureRequest {
 struct Capture {
   std::vector<FieldValues> fields;  // in the order of the request
   std::vector<ProbeSample> probes;
+  ParticleFrame particles;  // empty unless config.particles
   GridStatistics statistics;
 };
 
@@ -118,6 +122,12 @@ class Backend {
   /// halts or `most` steps are done. Calls `meanwhile` once: a device works on while it runs.
   virtual void advance(StepLoop& loop, const StepRules& rules, std::int64_t most, const LoopStages& stages,
                        const std::function<void()>& meanwhile) = 0;
+  /// Moves the particles with the sand as it has flown since the last move, dt ago. [s] Only with config.particles; a
+  /// capture takes them as they are.
+  virtual void move_particles(double dt) = 0;
+  virtual ParticleArrays particles() const = 0;
+  virtual void set_particles(const ParticleArrays& particles) = 0;
+
   /// Begins to take a copy of the present state; the next steps may follow at once.
   virtual void begin_capture(const CaptureRequest& request) = 0;
   /// The copy that was begun last, when it is complete.

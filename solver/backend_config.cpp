@@ -7,6 +7,7 @@
 
 #include "solver/backends/bed_on_demand.hpp"
 #include "solver/backends/cuda/cuda.hpp"
+#include "solver/backends/expected_bytes.hpp"
 #include "solver/errors.hpp"
 #include "solver/numerics.hpp"
 #include "solver/object_stage.hpp"
@@ -16,18 +17,6 @@ namespace {
 
 /// Default depth from which sand counts as arrived, as a fraction of the spacing.
 constexpr double arrival_fraction = 1e-3;
-
-/// Bytes that the state and its maps will take, halos left out. The initial state is held in float64 meanwhile.
-double expected_bytes(const BackendConfig& config, const InitialState& initial) {
-  const double word = config.numerics.precision == Precision::float32 ? 4.0 : 8.0;
-  const double cells = static_cast<double>(config.grid.cell_count());
-  double words = 6.0 + (initial.bed.empty() && !config.covers ? 0.0 : 1.0) + (config.maxima ? 3.0 : 0.0);
-  for (const auto* map : {&initial.friction_coefficient, &initial.hbar_scale, &initial.hbar_cap}) {
-    words += map->size() > 1 ? 1.0 : 0.0;
-  }
-  const double covers = config.covers ? word + sizeof(double) : 0.0;
-  return cells * (words * word + covers);
-}
 
 std::unique_ptr<Backend> make_with_bed_or_without(const BackendConfig& config, const InitialState& initial,
                                                   Device device) {
@@ -64,6 +53,7 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   config.rains = sand_rains(scene);
   config.objects = coupled_objects(scene);
   config.covers = any_covers(config.objects);
+  config.particles = scene.particles;
   config.maxima = scene.output.maxima;
   config.arrival_depth =
       scene.output.arrival_depth > 0.0 ? scene.output.arrival_depth : arrival_fraction * scene.grid.spacing;

@@ -257,6 +257,27 @@ void check_time(const TimeControl& time, Issues& issues) {
                     {"time.step", "time.mode"}});
 }
 
+void check_particles(const Grid& grid, const Particles& particles, Issues& issues) {
+  const double parts = grid.spacing / particles.spacing;
+  const double whole = std::max(1.0, std::round(parts));
+  if (!(std::fabs(parts - whole) <= 1e-6 * whole)) {  // a spacing written in decimals, e.g. 3.33333 mm, passes
+    issues.push_back({"particles.spacing",
+                      "does not divide the grid's spacing",
+                      "the cells of the particles are whole parts of a cell of the sand",
+                      "Use 1 cells, 0.5 cells, 0.25 cells ...?",
+                      {"grid.spacing"}});
+    return;
+  }
+  const double count = whole * grid.cells[0] * whole * grid.cells[1] * particles.layers;
+  if (count >= 2147483648.0) {
+    issues.push_back({"particles",
+                      "too many particles",
+                      std::to_string(static_cast<std::int64_t>(count)) + "; fewer than 2^31 = 2147483648",
+                      "Use a larger spacing, or fewer layers.",
+                      {"grid"}});
+  }
+}
+
 void check_output(const Scene& scene, Issues& issues) {
   const Output& output = scene.output;
   std::set<OutputField> fields;
@@ -291,6 +312,7 @@ std::vector<Issue> check(const Scene& scene) {
   check_boundaries(scene.boundaries, issues);
   check_time(scene.time, issues);
   check_objects(scene, issues);
+  if (scene.particles) check_particles(scene.grid, *scene.particles, issues);
   check_output(scene, issues);
   if (scene.reference) check_reference(scene, issues);
   return issues;

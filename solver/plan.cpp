@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solver/backend_config.hpp"
+#include "solver/particles.hpp"
 #include "solver/simulation.hpp"
 
 namespace sandsim {
@@ -18,9 +19,22 @@ std::vector<std::string> stage_names(const Scene& scene) {
   if (scene.output.maxima) {
     names.push_back("maxima");
   }
+  if (scene.particles) {
+    names.push_back("particles");
+  }
   names.push_back("frames");
   return names;
 }
+
+namespace {
+
+/// Of the particles in a frame: position, id, visible.
+std::int64_t particle_bytes(const Scene& scene) {
+  constexpr std::int64_t one = 3 * sizeof(float) + sizeof(std::int64_t) + 1;
+  return scene.particles ? one * ParticleGrid(scene.grid, *scene.particles).count() : 0;
+}
+
+}  // namespace
 
 Plan plan(const Scene& scene) {
   const InitialState initial = build_initial_state(scene);
@@ -40,7 +54,7 @@ Plan plan(const Scene& scene) {
   constexpr std::int64_t numbers_a_frame = 9 * 8;  // FrameStatistics
   plan.output_bytes =
       cells * word * (plan.frames * static_cast<std::int64_t>(output_field_names(scene).size()) + once) +
-      plan.frames * numbers_a_frame;
+      plan.frames * (numbers_a_frame + particle_bytes(scene));
   return plan;
 }
 

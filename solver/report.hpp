@@ -42,6 +42,15 @@ struct ObjectReport {
   double seconds = 0.0;  // spent on it
 };
 
+/// What became of the particles. A cell of their grid that others leave empty gets a new one: born = merged + left.
+struct ParticleReport {
+  std::int64_t count = 0;   // at any time
+  std::int64_t moves = 0;   // of all of them
+  std::int64_t born = 0;    // after the first
+  std::int64_t merged = 0;  // gone because an older one entered the same cell
+  std::int64_t left = 0;    // through open sides
+};
+
 /// Volume that entered and left, summed over the run. [m^3]
 struct Ledger {
   double initial = 0.0;
@@ -102,7 +111,8 @@ struct RunReport {
   double cell_steps_per_second = 0.0;  // cells * steps / seconds spent in the solver's stages
   std::vector<StageReport> stages;
   std::vector<ObjectReport> objects;  // those that are coupled in every step
-  std::int64_t memory_bytes = 0;      // allocated by the backend
+  std::optional<ParticleReport> particles;
+  std::int64_t memory_bytes = 0;  // allocated by the backend
   Ledger ledger;
   double dt_min = 0.0;  // [s]
   double dt_max = 0.0;  // [s]

@@ -25,6 +25,8 @@ enum class HbarPolicy { full, constant, scaled, truncated };
 enum class TimeMode { adaptive, fixed };
 enum class OutputField { depth, velocity, surface, momentum };
 enum class Compression { none, gzip };
+/// What carries particles: the mean velocity of the column (eq. 31), or that of the dilute layer (section 6.2).
+enum class ParticleVelocity { averaged, dilute };
 
 /// Cell centres are at origin + (i + 1/2) spacing. One row (cells[1] == 1) is a 1-D scene.
 struct Grid {
@@ -163,6 +165,16 @@ struct Output {
   double checkpoint_interval = 600.0;  // [s] of wall clock between checkpoints
 };
 
+/// Particles that follow the sand, for pictures (section 6). They do not act on the sand.
+struct Particles {
+  double spacing = 0.0;  // [m] of their grid J; the grid's spacing over a whole number
+  int layers = 1;        // of the grid J, downwards from the surface
+  int seed = 0;          // of their positions within the cells of J
+  ParticleVelocity velocity = ParticleVelocity::averaged;
+  double max_factor = 10.0;          // [-] dilute: bound on h/hbar
+  std::optional<double> hide_below;  // [m] particles in thinner sand are hidden; absent: a tenth of the grid's spacing
+};
+
 // ---- references: what the run's error is taken against ----------------------------------------------------------
 /// Dam break on a uniform slope with friction, hbar = alpha h (reference: Ritter; Mangeney et al. 2000). The dam is
 /// at `dam`, sand of depth `depth` at smaller x. Valid until the fan meets a wall; the tip until it stops.
@@ -214,6 +226,7 @@ struct Scene {
   TimeControl time;
   Numerics numerics;
   std::vector<KinematicObject> objects;
+  std::optional<Particles> particles;
   Output output;
   std::optional<Reference> reference;
 };

@@ -73,6 +73,7 @@ class Run {
   void steps();
   void locate_smallest_step();
   void report_halt();
+  void move_particles();
   void begin_frame();
   void deliver_frame();
   Next look_up();
@@ -92,8 +93,9 @@ class Run {
   std::unique_ptr<Backend> backend_;
   Snapshots snapshots_;
   RunReport report_;
-  LoopStages stages_;              // in report_
-  StageReport* frames_ = nullptr;  // likewise
+  LoopStages stages_;                 // in report_
+  StageReport* frames_ = nullptr;     // likewise
+  StageReport* particles_ = nullptr;  // likewise; null without particles
   StepRules rules_;
   StepLoop loop_;
   std::optional<FrameStatistics> pending_;  // of the frame that is being captured
@@ -110,7 +112,7 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
       schedule_(scene.time),
       backend_config_(backend_config(scene, options.threads)),
       backend_(make_backend(backend_config_, initial_, options.device)),
-      snapshots_(scene, initial_),
+      snapshots_(scene, initial_, backend_config_.objects),
       rules_(step_rules(scene, backend_config_, backend_->stable_step())) {
   const Numerics& numerics = scene.numerics;
   report_.device = backend_->device();
@@ -127,7 +129,7 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
     report_.objects.back().name = object->name();
   }
   stages_ = {stage("step"), stage("sources"), stage("maxima"), stage("objects"), &report_.objects};
-  frames_ = stage("frames");
+  frames_ = stage("frames"), particles_ = stage("particles");
   report_.ledger.initial = report_.ledger.final = backend_->statistics().volume;
 }
 
@@ -142,6 +144,9 @@ void Run::resume(const Checkpoint& from) {
   backend_->set_state(from.state);
   if (scene_.output.maxima) {
     backend_->set_maxima({from.max_depth, from.max_speed, from.arrival_time});
+  }
+  if (scene_.particles) {
+    backend_->set_particles(from.particles);
   }
   report_.frames = from.frames;
   report_.ledger = from.ledger;
@@ -183,6 +188,9 @@ Checkpoint Run::checkpoint() const {
   to.smallest_step = smallest_step(loop_.extremes).value_or(Incident{});
   to.stop_time = loop_.last_motion;
   to.state = backend_->state();
+  if (scene_.particles) {
+    to.particles = backend_->particles();
+  }
   if (scene_.output.maxima) {
     FinalFields maxima = backend_->maxima();
     to.max_depth = std::move(maxima.max_depth), to.max_speed = std::move(maxima.max_speed);
@@ -301,8 +309,19 @@ void Run::report_halt() {
   }
 }
 
+/// The particles go where the sand has carried them since the last frame. Moving them once a frame rather than with
+/// every step is a matter of speed: there may be many particles to a cell, and many steps to a frame.
+void Run::move_particles() {
+  if (particles_ != nullptr) {
+    StageTimer timer(*particles_, 0.0);
+    const std::int64_t frame = report_.frames;
+    backend_->move_particles(frame > 0 ? schedule_.due(frame) - schedule_.due(frame - 1) : 0.0);
+  }
+}
+
 void Run::begin_frame() {
   deliver_frame();
+  move_particles();
   StageTimer timer(*frames_, snapshots_.field_bytes());
   backend_->begin_capture(snapshots_.request());
   StepExtremes& extremes = loop_.extremes;
@@ -398,10 +417,13 @@ void Run::finish() {
   report_.smallest_step = smallest_step(loop_.extremes);
   report_.ledger.final = backend_->statistics().volume;
   report_.stop_time = report_.at_rest ? loop_.last_motion : 0.0;
+  if (particles_ != nullptr) {
+    report_.particles = backend_->particles().report;
+  }
   report_.max_slope_violation = backend_->slope_violation();
   double solving = 0.0;
   for (const StageReport& each : report_.stages) {
-    solving += each.name == "frames" ? 0.0 : each.seconds;
+    solving += each.name == "frames" || each.name == "particles" ? 0.0 : each.seconds;
   }
   if (solving > 0.0) {
     report_.cell_steps_per_second =

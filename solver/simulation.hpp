@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/device.hpp"
+#include "solver/particles.hpp"
 #include "solver/report.hpp"
 #include "solver/scene.hpp"
 #include "solver/sink.hpp"
@@ -29,6 +30,7 @@ struct Checkpoint {
   Incident smallest_step;
   double stop_time = 0.0;  // [s]
   StateArrays state;
+  ParticleArrays particles;                        // empty without scene.particles
   FieldValues max_depth, max_speed, arrival_time;  // empty unless output.maxima
 };
 

@@ -1,6 +1,7 @@
 // What the solver hands out at every frame, and the seam through which it leaves the solver.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -51,12 +52,28 @@ struct ProbeSample {
   double velocity_y = 0.0;  // [m/s]
 };
 
+/// Where the frame of an object lies in the scene: a point p of it is at position + rotation p.
+struct ObjectPose {
+  std::array<double, 3> position{0.0, 0.0, 0.0};       // [m]
+  std::array<double, 4> rotation{1.0, 0.0, 0.0, 0.0};  // unit quaternion w, x, y, z
+  bool present = false;                                // between its start and its end
+};
+
+/// The particles as they are drawn. Their number is that of the cells of the grid J, in every frame.
+struct ParticleFrame {
+  std::vector<float> position;        // [m] x, y, z of each, at the surface or below it (eq. 33)
+  std::vector<std::int64_t> id;       // stays with a particle as long as it lives; no two ever have the same
+  std::vector<std::uint8_t> visible;  // 0: in sand too thin, or below the ground
+};
+
 /// A snapshot: owns its data, so that a sink may keep it while the solver goes on.
 struct Frame {
   std::int64_t index = 0;
   FrameStatistics statistics;
   std::vector<NamedField> fields;       // the requested ones only; empty if output.frames is false
   std::vector<ProbeSample> probes;      // in the order of scene.output.probes
+  std::vector<ObjectPose> objects;      // those that are coupled, in the order of the scene
+  ParticleFrame particles;              // empty without scene.particles
   std::vector<double> fronts;           // [m] largest x with depth > reference.front_depths[k]; NaN: none
   std::vector<double> reference_depth;  // nx values if an exact solution is valid now (1-D), else empty
   double reference_tip = 0.0;           // [m] exact position of the tip now; NaN if unknown

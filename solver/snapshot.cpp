@@ -13,9 +13,21 @@ std::vector<double> as_double(const FieldValues& values) {
   return std::visit([](const auto& v) { return std::vector<double>(v.begin(), v.end()); }, values);
 }
 
-Snapshots::Snapshots(const Scene& scene, const InitialState& initial)
+namespace {
+
+ObjectPose pose_of(const objects::Object& object, double time) {
+  const objects::Pose pose = object.at(time).pose;
+  const objects::Vec3& p = pose.position;
+  const objects::Quaternion& q = pose.orientation;
+  return {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}, object.is_present(time)};
+}
+
+}  // namespace
+
+Snapshots::Snapshots(const Scene& scene, const InitialState& initial, const SharedObjects& objects)
     : scene_(scene),
       initial_(initial),
+      objects_(objects),
       fields_(output_field_names(scene)),
       needs_depth_(scene.reference && !scene.reference->front_depths.empty()),
       probes_(probe_cells(scene)) {}
@@ -38,6 +50,10 @@ Frame Snapshots::frame(Capture capture, std::int64_t index, const FrameStatistic
   frame.index = index;
   frame.statistics = statistics;
   frame.probes = std::move(capture.probes);
+  frame.particles = std::move(capture.particles);
+  for (const auto& object : objects_) {
+    frame.objects.push_back(pose_of(*object, statistics.time));
+  }
   frame.reference_tip = std::numeric_limits<double>::quiet_NaN();
   if (needs_depth_) {
     const std::vector<double> depth = as_double(capture.fields.back());

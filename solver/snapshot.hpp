@@ -7,6 +7,7 @@
 
 #include "solver/backend.hpp"
 #include "solver/initial_state.hpp"
+#include "solver/object_stage.hpp"
 #include "solver/scene.hpp"
 #include "solver/sink.hpp"
 
@@ -15,14 +16,14 @@ namespace sandsim {
 /// The depth as float64, whatever the run's precision.
 std::vector<double> as_double(const FieldValues& values);
 
-/// Takes snapshots of one run. `scene` and `initial` must outlive it.
+/// Takes snapshots of one run. All that it is made from must outlive it.
 class Snapshots {
  public:
-  Snapshots(const Scene& scene, const InitialState& initial);
+  Snapshots(const Scene& scene, const InitialState& initial, const SharedObjects& objects);
 
   /// What a frame needs of a state.
   CaptureRequest request() const;
-  /// A frame with its fields, probes, fronts and references; `statistics` as they are.
+  /// A frame with its fields, particles, objects, probes, fronts and references; `statistics` as they are.
   Frame frame(Capture capture, std::int64_t index, const FrameStatistics& statistics) const;
   /// Bytes of the fields of one frame.
   double field_bytes() const;
@@ -30,6 +31,7 @@ class Snapshots {
  private:
   const Scene& scene_;
   const InitialState& initial_;
+  const SharedObjects& objects_;
   std::vector<std::string> fields_;
   bool needs_depth_ = false;  // for the fronts, besides the fields
   std::vector<std::int64_t> probes_;

@@ -21,7 +21,7 @@ using hdf5::Handle;
 using hdf5::require;
 
 /// Format of the file; raised whenever its content changes its meaning.
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 
 /// The numbers of a checkpoint under their names; one list serves writing and reading.
 template <class AnyCheckpoint, class Visitor>
@@ -44,6 +44,21 @@ void visit_numbers(AnyCheckpoint& checkpoint, Visitor&& visit) {
   visit("smallest_step_time", checkpoint.smallest_step.time);
   visit("smallest_step_step", checkpoint.smallest_step.step);
   visit("stop_time", checkpoint.stop_time);
+  visit("particle_count", checkpoint.particles.report.count);
+  visit("particle_moves", checkpoint.particles.report.moves);
+  visit("particle_born", checkpoint.particles.report.born);
+  visit("particle_merged", checkpoint.particles.report.merged);
+  visit("particle_left", checkpoint.particles.report.left);
+}
+
+/// The particles' arrays, each of one type; empty without particles.
+template <class AnyCheckpoint, class Visitor>
+void visit_particles(AnyCheckpoint& checkpoint, Visitor&& visit) {
+  visit("particle_offset_x", checkpoint.particles.offset_x);
+  visit("particle_offset_y", checkpoint.particles.offset_y);
+  visit("particle_id", checkpoint.particles.id);
+  visit("particle_velocity_x", checkpoint.particles.velocity_x);
+  visit("particle_velocity_y", checkpoint.particles.velocity_y);
 }
 
 template <class AnyCheckpoint, class Visitor>
@@ -80,6 +95,7 @@ std::size_t bytes_of(const Checkpoint& checkpoint) {
   visit_fields(checkpoint, [&bytes](const char*, const FieldValues& field) {
     bytes += std::visit([](const auto& values) { return values.size() * sizeof values[0]; }, field);
   });
+  visit_particles(checkpoint, [&bytes](const char*, const auto& values) { bytes += values.size() * sizeof values[0]; });
   return bytes;
 }
 
@@ -99,6 +115,7 @@ void write_content(const fs::path& path, const Checkpoint& checkpoint, const std
   visit_fields(checkpoint, [&file](const char* name, const FieldValues& field) {
     std::visit([&](const auto& values) { write_field(file.id(), name, values); }, field);
   });
+  visit_particles(checkpoint, [&file](const char* name, const auto& values) { write_field(file.id(), name, values); });
   require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flush");
   file.close("close the file");
 }
@@ -128,6 +145,10 @@ Checkpoint read_content(hid_t file) {
     }
   });
   visit_fields(checkpoint, [file](const char* name, FieldValues& field) { read_field(file, name, field); });
+  visit_particles(checkpoint, [file](const char* name, auto& values) {
+    using Number = typename std::remove_cvref_t<decltype(values)>::value_type;
+    if (hdf5::exists(file, name)) values = hdf5::read_all<Number>(file, name);
+  });
   return checkpoint;
 }
 

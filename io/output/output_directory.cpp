@@ -22,9 +22,10 @@ namespace fs = std::filesystem;
 
 /// Everything that a run may leave behind, unfinished files included.
 std::vector<fs::path> files_of_a_run(const OutputFiles& files) {
-  std::vector<fs::path> all{files.scene, files.report, files.series, files.xdmf, files.log, files.checkpoint};
+  std::vector<fs::path> all{files.scene,          files.report, files.series,    files.xdmf,
+                            files.particles_xdmf, files.log,    files.checkpoint};
   all.push_back(partial_series_path(files.series));
-  for (const fs::path& written : {files.scene, files.report, files.xdmf, files.checkpoint}) {
+  for (const fs::path& written : {files.scene, files.report, files.xdmf, files.particles_xdmf, files.checkpoint}) {
     all.push_back(written.string() + ".tmp");
   }
   return all;
@@ -57,6 +58,7 @@ OutputFiles::OutputFiles(const fs::path& in)
       report(in / "run.json"),
       series(in / "series.h5"),
       xdmf(in / "series.xdmf"),
+      particles_xdmf(in / "particles.xdmf"),
       log(in / "log.txt"),
       checkpoint(in / "checkpoint.h5") {}
 

@@ -10,12 +10,13 @@ struct OutputFiles {
   explicit OutputFiles(const std::filesystem::path& directory);
 
   std::filesystem::path directory;
-  std::filesystem::path scene;       // scene.resolved.yaml
-  std::filesystem::path report;      // run.json
-  std::filesystem::path series;      // series.h5
-  std::filesystem::path xdmf;        // series.xdmf
-  std::filesystem::path log;         // log.txt
-  std::filesystem::path checkpoint;  // checkpoint.h5
+  std::filesystem::path scene;           // scene.resolved.yaml
+  std::filesystem::path report;          // run.json
+  std::filesystem::path series;          // series.h5
+  std::filesystem::path xdmf;            // series.xdmf
+  std::filesystem::path particles_xdmf;  // particles.xdmf
+  std::filesystem::path log;             // log.txt
+  std::filesystem::path checkpoint;      // checkpoint.h5
 };
 
 /// Makes the directory (and its parents) ready to be written to, and returns the names of the files in it.

@@ -70,7 +70,7 @@ std::string describe_variable(const SeriesReader& series, const StoredVariable& 
   } catch (const hdf5::Failure& failure) {
     range = fmt::format("unreadable: {}", failure.what());
   }
-  return fmt::format("  {:<32}{:<10}{}\n", head, variable.units, range);
+  return fmt::format("  {:<32} {:<10}{}\n", head, variable.units, range);
 }
 
 std::string describe_frames(const SeriesReader& series, bool partial) {
@@ -102,7 +102,9 @@ std::string describe_series(const fs::path& path) {
     text += line("grid", describe_grid(series));
     text += line("frames", describe_frames(series, path.extension() == ".partial"));
     text += "variables\n";
-    for (const StoredVariable& variable : series.variables()) text += describe_variable(series, variable);
+    for (const StoredVariable& variable : series.variables()) {
+      if (!variable.bare_dimension) text += describe_variable(series, variable);
+    }
     return text;
   } catch (const hdf5::Failure& failure) {
     throw InputError(fmt::format("{}: {}", path.string(), failure.what()));

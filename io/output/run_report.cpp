@@ -78,6 +78,15 @@ void add_objects(JsonWriter& json, const std::vector<ObjectReport>& objects) {
   json.end_array();
 }
 
+/// Left out without particles.
+void add_particles(JsonWriter& json, const std::optional<ParticleReport>& particles) {
+  if (!particles) return;
+  json.begin_object("particles");
+  json.member("count", particles->count).member("moves", particles->moves).member("born", particles->born);
+  json.member("merged", particles->merged).member("left", particles->left);
+  json.end_object();
+}
+
 void add_incident(JsonWriter& json, const char* key, const std::optional<Incident>& incident, const Grid& grid) {
   if (!incident) return;
   json.begin_object(key);
@@ -123,6 +132,7 @@ std::string run_report_json(const RunReport& report, const RunContext& context) 
   add_cost(json, report);
   add_ledger(json, report.ledger);
   add_objects(json, report.objects);
+  add_particles(json, report.particles);
   json.member("dt_min", report.dt_min);
   json.member("dt_max", report.dt_max);
   add_incident(json, "smallest_step", report.smallest_step, context.grid);

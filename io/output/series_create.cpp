@@ -1,5 +1,6 @@
 #include "io/output/series_create.hpp"
 
+#include <fmt/format.h>
 #include <hdf5_hl.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "io/output/run_report.hpp"
 #include "io/output/version.hpp"
+#include "solver/particles.hpp"
 
 namespace sandsim {
 namespace {
@@ -28,6 +30,14 @@ hsize_t length_of(Dimension dimension, const Scene& scene) {
       return scene.output.probes.size();
     case Dimension::front_depth:
       return scene.reference ? scene.reference->front_depths.size() : 0;
+    case Dimension::object:
+      return coupled_object_count(scene);
+    case Dimension::particle:
+      return scene.particles ? static_cast<hsize_t>(ParticleGrid(scene.grid, *scene.particles).count()) : 0;
+    case Dimension::axis:
+      return 3;
+    case Dimension::quaternion:
+      return 4;
   }
   return 0;
 }
@@ -35,10 +45,10 @@ hsize_t length_of(Dimension dimension, const Scene& scene) {
 /// Numbers that were never written read as NaN or -1, so that a hole in the file does not look like dry ground.
 void set_fill_value(hid_t properties, const Variable& variable) {
   const std::string tried = "set the fill value of " + variable.name;
-  if (variable.type == NumberType::int64) {
+  if (variable.type == NumberType::int64 || variable.type == NumberType::int8) {
     const std::int64_t none = -1;
     require(H5Pset_fill_value(properties, H5T_NATIVE_INT64, &none), tried);
-  } else if (variable.type != NumberType::text) {
+  } else if (variable.type != NumberType::text && variable.type != NumberType::nothing) {
     // A flat bed is never written: it reads as zero and costs nothing.
     const double fill = variable.name == "bed" ? 0.0 : not_a_number;
     require(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &fill), tried);
@@ -49,10 +59,11 @@ Handle creation_properties(const Variable& variable, const Scene& scene) {
   const std::string tried = "set up " + variable.name;
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, tried);
   set_fill_value(properties.id(), variable);
-  if (!variable.over_time() && !variable.over_grid()) return properties;
+  if (!variable.over_time() && !variable.in_chunks()) return properties;
   const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
   require(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), tried);
-  if (scene.output.compression == Compression::gzip && variable.dimensions.back() == Dimension::x) {
+  if (scene.output.compression == Compression::gzip &&
+      (variable.dimensions.back() == Dimension::x || variable.over_particles())) {
     require(H5Pset_shuffle(properties.id()), tried);
     // Higher levels take many times longer and gain a few percent.
     require(H5Pset_deflate(properties.id(), 1), tried);
@@ -81,6 +92,7 @@ Handle create_dataset(hid_t file, const Variable& variable, const Scene& scene) 
 }
 
 void describe(hid_t dataset, const Variable& variable, Precision precision) {
+  if (variable.type == NumberType::nothing) return;
   hdf5::write_attribute(dataset, "long_name", variable.long_name);
   if (!variable.units.empty()) hdf5::write_attribute(dataset, "units", variable.units);
   if (variable.name == "x") hdf5::write_attribute(dataset, "standard_name", std::string("projection_x_coordinate"));
@@ -95,14 +107,19 @@ void describe(hid_t dataset, const Variable& variable, Precision precision) {
   if (variable.coordinate() || variable.name == "bed") return;
   if (variable.type == NumberType::real && precision == Precision::float32) {
     hdf5::write_attribute(dataset, "_FillValue", static_cast<float>(not_a_number));
+  } else if (variable.type == NumberType::float32) {
+    hdf5::write_attribute(dataset, "_FillValue", static_cast<float>(not_a_number));
   } else if (variable.type == NumberType::real || variable.type == NumberType::float64) {
     hdf5::write_attribute(dataset, "_FillValue", not_a_number);
   }
 }
 
-void attach_dimensions(hid_t file, hid_t dataset, const Variable& variable) {
+void attach_dimensions(hid_t file, hid_t dataset, const Variable& variable, const Scene& scene) {
   if (variable.coordinate()) {
-    require(H5DSset_scale(dataset, variable.name.c_str()), "make " + variable.name + " a dimension");
+    const bool bare = variable.type == NumberType::nothing;
+    const std::string name =
+        bare ? fmt::format("{}{:>10}", bare_dimension_name, length_of(variable.dimensions[0], scene)) : variable.name;
+    require(H5DSset_scale(dataset, name.c_str()), "make " + variable.name + " a dimension");
     return;
   }
   for (std::size_t axis = 0; axis < variable.dimensions.size(); ++axis) {
@@ -114,6 +131,18 @@ void attach_dimensions(hid_t file, hid_t dataset, const Variable& variable) {
 
 void write_doubles(hid_t file, const std::string& name, const std::vector<double>& values) {
   hdf5::write(hdf5::open_dataset(file, name).id(), H5T_NATIVE_DOUBLE, values.data());
+}
+
+void write_object_names(hid_t file, const Scene& scene) {
+  std::vector<std::int64_t> number;
+  std::vector<const char*> name;
+  for (const KinematicObject& object : scene.objects) {
+    if (object.is_terrain()) continue;
+    number.push_back(static_cast<std::int64_t>(number.size()));
+    name.push_back(object.name.c_str());
+  }
+  hdf5::write(hdf5::open_dataset(file, "object").id(), H5T_NATIVE_INT64, number.data());
+  hdf5::write(hdf5::open_dataset(file, "object_name").id(), variable_text_type().id(), name.data());
 }
 
 void write_probe_coordinates(hid_t file, const std::vector<Probe>& probes) {
@@ -136,7 +165,9 @@ void write_probe_coordinates(hid_t file, const std::vector<Probe>& probes) {
 
 hid_t stored_type(const Variable& variable, Precision precision) {
   if (variable.type == NumberType::int64) return H5T_STD_I64LE;
-  const bool single = variable.type == NumberType::real && precision == Precision::float32;
+  if (variable.type == NumberType::int8) return H5T_STD_I8LE;
+  const bool single = variable.type == NumberType::float32 || variable.type == NumberType::nothing ||
+                      (variable.type == NumberType::real && precision == Precision::float32);
   return single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
 }
 
@@ -155,7 +186,9 @@ std::vector<hsize_t> chunk_extent(const Variable& variable, const Scene& scene) 
     const bool last = axis + 1 == size.size();
     if (variable.dimensions[axis] == Dimension::time) {
       // Numbers per frame are gathered; a field has a chunk of its own in every frame.
-      chunk[axis] = variable.dimensions.back() == Dimension::x ? 1 : side;
+      chunk[axis] = variable.dimensions.back() == Dimension::x || variable.over_particles() ? 1 : side;
+    } else if (variable.dimensions[axis] == Dimension::particle) {
+      chunk[axis] = std::min(size[axis], side * side);
     } else {
       // What a thin grid leaves free along y is given to x, or a long row would be cut into many small chunks.
       chunk[axis] = std::min(size[axis], last ? std::max(side, room) : side);
@@ -193,7 +226,7 @@ void create_variables(hid_t file, const Scene& scene) {
   for (const Variable& variable : series_layout(scene)) {
     const Handle dataset = create_dataset(file, variable, scene);
     describe(dataset.id(), variable, scene.numerics.precision);
-    attach_dimensions(file, dataset.id(), variable);
+    attach_dimensions(file, dataset.id(), variable, scene);
   }
 }
 
@@ -204,6 +237,7 @@ void write_coordinates(hid_t file, const Scene& scene) {
   write_doubles(file, "x", x);
   write_doubles(file, "y", y);
   if (!scene.output.probes.empty()) write_probe_coordinates(file, scene.output.probes);
+  if (coupled_object_count(scene) > 0) write_object_names(file, scene);
   if (scene.reference && !scene.reference->front_depths.empty()) {
     write_doubles(file, "front_depth", scene.reference->front_depths);
   }

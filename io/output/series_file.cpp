@@ -9,6 +9,7 @@
 #include "io/output/atomic_file.hpp"
 #include "io/output/series_create.hpp"
 #include "solver/errors.hpp"
+#include "solver/particles.hpp"
 
 namespace sandsim {
 namespace {
@@ -40,6 +41,9 @@ SeriesFile::SeriesFile(const std::filesystem::path& path, const Scene& scene, hd
       output_(scene.output),
       exact_reference_(scene.reference && scene.reference->exact),
       front_count_(scene.reference ? scene.reference->front_depths.size() : 0),
+      object_count_(coupled_object_count(scene)),
+      particle_count_(scene.particles ? static_cast<std::size_t>(ParticleGrid(scene.grid, *scene.particles).count())
+                                      : 0),
       grid_{static_cast<hsize_t>(scene.grid.cells[1]), static_cast<hsize_t>(scene.grid.cells[0])},
       file_(std::move(file)) {
   const std::vector<Variable> layout = series_layout(scene);
@@ -100,6 +104,12 @@ void SeriesFile::check(const Frame& frame) const {
   }
   if (frame.probes.size() != output_.probes.size()) refuse(fmt::format("{} probes", frame.probes.size()));
   if (frame.fronts.size() != front_count_) refuse(fmt::format("{} fronts, not {}", frame.fronts.size(), front_count_));
+  if (frame.objects.size() != object_count_) refuse(fmt::format("{} objects", frame.objects.size()));
+  const ParticleFrame& particles = frame.particles;
+  if (particles.id.size() != particle_count_ || particles.visible.size() != particle_count_ ||
+      particles.position.size() != 3 * particle_count_) {
+    refuse(fmt::format("{} particles, not {}", particles.id.size(), particle_count_));
+  }
   const std::size_t row = frame.reference_depth.size();
   if (exact_reference_ && row != 0 && row != grid_[1]) refuse(fmt::format("reference_depth has {} values", row));
 }
@@ -140,6 +150,33 @@ void SeriesFile::write_statistics(const FrameStatistics& statistics) const {
   write_count("moving_cells", statistics.moving_cells);
 }
 
+void SeriesFile::write_objects(const std::vector<ObjectPose>& objects) const {
+  std::vector<double> positions, rotations;
+  std::vector<std::int64_t> present;
+  for (const ObjectPose& object : objects) {
+    positions.insert(positions.end(), object.position.begin(), object.position.end());
+    rotations.insert(rotations.end(), object.rotation.begin(), object.rotation.end());
+    present.push_back(object.present ? 1 : 0);
+  }
+  const auto frame = static_cast<hsize_t>(frames_);
+  const hsize_t count = objects.size();
+  hdf5::write(find("object_position").dataset.id(), H5T_NATIVE_DOUBLE, positions.data(),
+              {{frame, 0, 0}, {1, count, 3}});
+  hdf5::write(find("object_rotation").dataset.id(), H5T_NATIVE_DOUBLE, rotations.data(),
+              {{frame, 0, 0}, {1, count, 4}});
+  hdf5::write(find("object_present").dataset.id(), H5T_NATIVE_INT64, present.data(), {{frame, 0}, {1, count}});
+}
+
+void SeriesFile::write_particles(const ParticleFrame& particles) const {
+  const auto frame = static_cast<hsize_t>(frames_);
+  const hsize_t count = particles.id.size();
+  const hdf5::Block numbers{{frame, 0}, {1, count}};
+  hdf5::write(find("particle_position").dataset.id(), H5T_NATIVE_FLOAT, particles.position.data(),
+              {{frame, 0, 0}, {1, count, 3}});
+  hdf5::write(find("particle_id").dataset.id(), H5T_NATIVE_INT64, particles.id.data(), numbers);
+  hdf5::write(find("particle_visible").dataset.id(), H5T_NATIVE_UINT8, particles.visible.data(), numbers);
+}
+
 void SeriesFile::write_probes(const std::vector<ProbeSample>& probes) const {
   std::vector<double> depth, velocity_x, velocity_y;
   for (const ProbeSample& probe : probes) {
@@ -167,6 +204,8 @@ void SeriesFile::append(Frame frame) {
   for (const NamedField& field : frame.fields) write_values(field.name, field.values);
   write_statistics(frame.statistics);
   if (!frame.probes.empty()) write_probes(frame.probes);
+  if (!frame.objects.empty()) write_objects(frame.objects);
+  if (particle_count_ > 0) write_particles(frame.particles);
   if (!frame.fronts.empty()) write_row("front", frame.fronts);
   if (exact_reference_) {
     if (!frame.reference_depth.empty()) write_row("reference_depth", frame.reference_depth);

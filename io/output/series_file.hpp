@@ -53,6 +53,8 @@ class SeriesFile {
   void write_count(const std::string& name, std::int64_t value) const;
   void write_row(const std::string& name, const std::vector<double>& values) const;
   void write_statistics(const FrameStatistics& statistics) const;
+  void write_objects(const std::vector<ObjectPose>& objects) const;
+  void write_particles(const ParticleFrame& particles) const;
   void write_probes(const std::vector<ProbeSample>& probes) const;
   void flush() const;
 
@@ -60,6 +62,8 @@ class SeriesFile {
   Output output_;
   bool exact_reference_ = false;
   std::size_t front_count_ = 0;
+  std::size_t object_count_ = 0;
+  std::size_t particle_count_ = 0;
   std::vector<hsize_t> grid_;  // ny, nx
   std::int64_t frames_ = 0;    // written so far
   hdf5::Handle file_;

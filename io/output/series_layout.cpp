@@ -57,6 +57,23 @@ void add_reference(std::vector<Variable>& variables, const Reference& reference)
   }
 }
 
+void add_objects(std::vector<Variable>& variables) {
+  variables.push_back({"object", {object}, "1", "number of the object", int64});
+  variables.push_back({"quaternion", {quaternion}, "", "", nothing});
+  variables.push_back({"object_name", {object}, "", "name of the object", text});
+  variables.push_back({"object_position", {time, object, axis}, "m", "origin of the object's own frame", float64});
+  variables.push_back(
+      {"object_rotation", {time, object, quaternion}, "1", "rotation of its frame, w x y z: scene = R own", float64});
+  variables.push_back({"object_present", {time, object}, "1", "whether the object is there", int64});
+}
+
+void add_particles(std::vector<Variable>& variables) {
+  variables.push_back({"particle", {particle}, "", "", nothing});
+  variables.push_back({"particle_position", {time, particle, axis}, "m", "place under the surface", float32});
+  variables.push_back({"particle_id", {time, particle}, "1", "stays with a particle as long as it lives", int64});
+  variables.push_back({"particle_visible", {time, particle}, "1", "whether it is in the sand", int8});
+}
+
 }  // namespace
 
 bool Variable::coordinate() const {
@@ -75,8 +92,21 @@ std::string name_of(Dimension dimension) {
       return "probe";
     case front_depth:
       return "front_depth";
+    case object:
+      return "object";
+    case particle:
+      return "particle";
+    case axis:
+      return "axis";
+    case quaternion:
+      return "quaternion";
   }
   return {};
+}
+
+std::size_t coupled_object_count(const Scene& scene) {
+  return static_cast<std::size_t>(std::count_if(scene.objects.begin(), scene.objects.end(),
+                                                [](const KinematicObject& each) { return !each.is_terrain(); }));
 }
 
 std::vector<Variable> series_layout(const Scene& scene) {
@@ -95,6 +125,10 @@ std::vector<Variable> series_layout(const Scene& scene) {
   }
   add_frame_numbers(variables);
   if (!scene.output.probes.empty()) add_probes(variables);
+  const bool has_objects = coupled_object_count(scene) > 0;
+  if (has_objects || scene.particles) variables.push_back({"axis", {axis}, "", "", nothing});
+  if (has_objects) add_objects(variables);
+  if (scene.particles) add_particles(variables);
   if (scene.reference) add_reference(variables, *scene.reference);
   return variables;
 }

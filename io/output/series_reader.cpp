@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/output/series_layout.hpp"
+
 namespace sandsim {
 namespace {
 
@@ -31,6 +33,12 @@ std::vector<std::string> dimension_names(hid_t dataset, const std::string& name,
   return names;
 }
 
+bool is_bare_dimension(hid_t dataset) {
+  char name[64] = {};
+  return H5DSis_scale(dataset) > 0 && H5DSget_scale_name(dataset, name, sizeof name) > 0 &&
+         std::string(name).starts_with(bare_dimension_name);
+}
+
 StoredVariable describe(hid_t file, const std::string& name) {
   const Handle dataset = hdf5::open_dataset(file, name);
   StoredVariable variable;
@@ -39,6 +47,7 @@ StoredVariable describe(hid_t file, const std::string& name) {
   variable.dimensions = dimension_names(dataset.id(), name, variable.extent.size());
   variable.units = hdf5::read_text_attribute(dataset.id(), "units").value_or("");
   variable.numeric = hdf5::is_numeric(dataset.id());
+  variable.bare_dimension = is_bare_dimension(dataset.id());
   variable.element_size = hdf5::element_size(dataset.id());
   return variable;
 }

@@ -17,6 +17,7 @@ struct StoredVariable {
   std::vector<hsize_t> extent;
   std::string units;
   bool numeric = false;
+  bool bare_dimension = false;   // a dimension that has no coordinates
   std::size_t element_size = 0;  // [bytes]
 
   bool has_dimensions(const std::vector<std::string>& names) const { return dimensions == names; }

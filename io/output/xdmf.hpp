@@ -1,4 +1,4 @@
-// series.xdmf: through which ParaView opens series.h5.
+// series.xdmf and particles.xdmf: through which ParaView opens series.h5.
 #pragma once
 
 #include <filesystem>
@@ -9,5 +9,8 @@ namespace sandsim {
 /// path relative to itself. Writes nothing and returns false if the series holds no fields or no frames.
 /// Throws InputError if the series cannot be read, OutputError if the description cannot be written.
 bool write_xdmf(const std::filesystem::path& series_file, const std::filesystem::path& xdmf_file);
+
+/// The same of the particles, as a cloud of points.
+bool write_particle_xdmf(const std::filesystem::path& series_file, const std::filesystem::path& xdmf_file);
 
 }  // namespace sandsim

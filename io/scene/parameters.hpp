@@ -172,6 +172,23 @@ void describe(V& v, Numerics& n) {
   v.field("velocity", n.velocity, choice().only(is_paper, paper), "hu/h, or the desingularised form of eq. 13.");
 }
 
+// ---- particles ------------------------------------------------------------------------------------------------------
+template <class V>
+void describe(V& v, Particles& p) {
+  v.field("spacing", p.spacing, length().above(0).required().like("0.5 cells"),
+          "Side of the cells that hold a particle each: the grid's spacing, or a whole part of it.");
+  v.field("layers", p.layers, number().at_least(1), "Layers of such cells, downwards from the surface.");
+  v.field("seed", p.seed, number().at_least(0), "Of the places of the particles in their cells.");
+  v.field("velocity", p.velocity, choice(),
+          "averaged: particles move with the mean velocity of the column. dilute: h/hbar times as fast, as the upper "
+          "layer moves over sand that stands.");
+  v.field("max_factor", p.max_factor,
+          number().at_least(1).only(p.velocity == ParticleVelocity::dilute, "velocity: dilute"),
+          "Bound on the factor h/hbar.");
+  v.field("hide_below", p.hide_below, length().at_least(0),
+          "Particles in thinner sand are hidden; without it, a tenth of the grid's spacing.");
+}
+
 // ---- output ---------------------------------------------------------------------------------------------------------
 template <class V>
 void describe(V& v, Probe& p) {
@@ -237,6 +254,7 @@ void describe(V& v, Scene& s) {
   v.field("time", s.time, section().required().like("{end: 3 s, frame_interval: 20 ms}"), "Steps and frames.");
   v.field("numerics", s.numerics, section(), "Scheme and precision.");
   v.field("objects", s.objects, list(), "Bodies that move as they are told and push the sand.");
+  v.field("particles", s.particles, section(), "Particles that follow the sand, for pictures; they do not act on it.");
   v.field("output", s.output, section(), "What is written.");
   v.field("reference", s.reference, section(), "What the error of the run is taken against.");
 }

@@ -33,6 +33,9 @@ class BedOnDemand final : public Backend {
     meanwhile();
     advance_step_by_step(*this, config_, loop, rules, most, stages);
   }
+  void move_particles(double dt) override { backend_->move_particles(dt); }
+  ParticleArrays particles() const override { return backend_->particles(); }
+  void set_particles(const ParticleArrays& particles) override { backend_->set_particles(particles); }
   void begin_capture(const CaptureRequest& request) override { backend_->begin_capture(request); }
   Capture end_capture() override { return backend_->end_capture(); }
   StepOutcome step(double dt) override { return backend_->step(dt); }
@@ -46,8 +49,12 @@ class BedOnDemand final : public Backend {
     }
     const StateArrays state = backend_->state();
     const FinalFields maxima = config_.maxima ? backend_->maxima() : FinalFields{};
+    const ParticleArrays particles = config_.particles ? backend_->particles() : ParticleArrays{};
     make_bed();
     backend_->set_state(state);
+    if (config_.particles) {
+      backend_->set_particles(particles);
+    }
     if (config_.maxima) {
       backend_->set_maxima(maxima);
     }

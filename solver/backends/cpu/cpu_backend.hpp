@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "solver/backends/cpu/rows.hpp"
 #include "solver/backends/diagnostics.hpp"
 #include "solver/backends/halo.hpp"
+#include "solver/backends/particles/threaded.hpp"
 
 namespace sandsim::cpu {
 
@@ -47,6 +49,9 @@ class CpuBackend final : public Backend {
     meanwhile();
     advance_step_by_step(*this, config_, loop, rules, most, stages);
   }
+  void move_particles(double dt) override;
+  ParticleArrays particles() const override { return particles_->arrays(); }
+  void set_particles(const ParticleArrays& particles) override { particles_->set(particles); }
   void begin_capture(const CaptureRequest& request) override;
   Capture end_capture() override { return std::move(capture_); }
   StepOutcome step(double dt) override;
@@ -111,6 +116,7 @@ class CpuBackend final : public Backend {
   Maxima<R> maxima_;
   Capture capture_;
   coupling::HostScratch coupling_scratch_;
+  std::unique_ptr<particles::ParticleStage<particles::ThreadedMachine>> particles_;  // null without config.particles
 };
 
 template <class Rows, class Make>
@@ -148,6 +154,11 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
     maxima_ = Maxima<R>(config.grid.cell_count(), static_cast<R>(config.arrival_depth));
   }
 
+  if (config.particles) {
+    particles_ = std::make_unique<particles::ParticleStage<particles::ThreadedMachine>>(
+        std::make_shared<particles::ThreadedMachine>(wanted), *config.particles, config.grid, config.boundaries);
+  }
+
   const std::vector<R> depth(initial.depth.begin(), initial.depth.end()), still(depth.size(), R(0));
   set_state({depth, still, still});
 }
@@ -173,7 +184,7 @@ void CpuBackend<Rows, Make>::take_material(const InitialState& initial) {
 
 template <class Rows, class Make>
 std::int64_t CpuBackend<Rows, Make>::memory_bytes() const {
-  std::size_t bytes = maxima_.bytes();
+  std::size_t bytes = maxima_.bytes() + (particles_ ? particles_->bytes() : 0);
   for (const auto* pair : {&h_, &hu_, &hv_}) {
     bytes += (*pair)[0].bytes() + (*pair)[1].bytes();
   }
@@ -407,8 +418,27 @@ ObjectEffect CpuBackend<Rows, Make>::couple(const ObjectStep& one, const std::ve
 }
 
 template <class Rows, class Make>
+void CpuBackend<Rows, Make>::move_particles(double dt) {
+  const Diagnosed<R> d = diagnosed();
+  const R dry = d.parameters.dry_depth;
+#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
+  for (int j = 0; j < ny(); ++j) {
+    for (int i = 0; i < nx(); ++i) {
+      const physics::Material<R> material =
+          Rows::uniform ? material_ : physics::Material<R>{mu_.row(j)[i], alpha_.row(j)[i], cap_.row(j)[i]};
+      particles_->sand().take(i, j, d.h.row(j)[i], d.hu.row(j)[i], d.hv.row(j)[i], d.b(i, j), d.cover, material, dry);
+    }
+  }
+  particles_->move(dt);
+}
+
+template <class Rows, class Make>
 void CpuBackend<Rows, Make>::begin_capture(const CaptureRequest& request) {
-  capture_ = {{}, sample(request.cells), statistics()};
+  capture_ = {{}, sample(request.cells), {}, statistics()};
+  if (particles_) {
+    particles_->begin_capture();
+    capture_.particles = particles_->end_capture();
+  }
   for (const std::string& name : request.fields) {
     capture_.fields.push_back(field(name));
   }

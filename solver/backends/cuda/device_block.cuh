@@ -57,6 +57,9 @@ class DeviceBlock {
     static_assert(sizeof(long long) == sizeof(std::int64_t));
     atomicMin(reinterpret_cast<long long*>(target), static_cast<long long>(value));
   }
+  __device__ __forceinline__ void add(std::int64_t* target, std::int64_t value) {
+    atomicAdd(reinterpret_cast<unsigned long long*>(target), static_cast<unsigned long long>(value));
+  }
   /// Past the cache of this processor, which does not see what others write.
   template <class T>
   __device__ __forceinline__ T read(const T* source) {

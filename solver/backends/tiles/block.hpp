@@ -70,6 +70,7 @@ class HostBlock {
   }
   void set_bits(int* target, int bits) { *target |= bits; }
   void lower(std::int64_t* target, std::int64_t value) { *target = value < *target ? value : *target; }
+  void add(std::int64_t* target, std::int64_t value) { *target += value; }
   /// Reads what other blocks of the launch may have written.
   template <class T>
   T read(const T* source) {

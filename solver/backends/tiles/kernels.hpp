@@ -2,6 +2,7 @@
 // block; `doing` is for messages.
 #pragma once
 
+#include "solver/backends/particles/sand_view.hpp"
 #include "solver/backends/tiles/block_functions.hpp"
 
 namespace sandsim::tiles {
@@ -167,6 +168,32 @@ struct FieldKernel {
         const std::ptrdiff_t at = state.at(i, j);
         const R b = Tile::flat ? R(0) : f.bed.row(j)[i];
         values[k] = cell_value(field, f.cover, i, j, state.h[at], state.hu[at], state.hv[at], b, f.dry_depth);
+      });
+    });
+  }
+};
+
+/// The present state as the particles see it.
+template <class Tile>
+struct ParticleSandKernel {
+  static constexpr const char* doing = "show the sand to the particles";
+  static constexpr int most_threads = cell_threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  int current;
+  particles::SandView sand;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    block.each([&](int x, int) {
+      const auto& f = tile.fields;
+      const StateView<R>& state = f.state(current);
+      each_cell_of(block, f, x, [&](std::int64_t k) {
+        const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
+        const std::ptrdiff_t at = state.at(i, j);
+        const R b = Tile::flat ? R(0) : f.bed.row(j)[i];
+        sand.take(i, j, state.h[at], state.hu[at], state.hv[at], b, f.cover,
+                  f.template material_at<Tile::uniform>(i, j), f.dry_depth);
       });
     });
   }

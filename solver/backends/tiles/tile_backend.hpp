@@ -13,7 +13,9 @@
 #include "solver/backend.hpp"
 #include "solver/backends/coupling/prepare.hpp"
 #include "solver/backends/diagnostics.hpp"
+#include "solver/backends/expected_bytes.hpp"
 #include "solver/backends/halo.hpp"
+#include "solver/backends/particles/stage.hpp"
 #include "solver/backends/tiles/couple_kernel.hpp"
 #include "solver/backends/tiles/ensemble_kernel.hpp"
 #include "solver/backends/tiles/kernels.hpp"
@@ -37,7 +39,9 @@ class TileBackend final : public Backend {
 
   std::string device() const override { return machine_->name(); }
   int threads() const override { return 1; }
-  std::int64_t memory_bytes() const override { return static_cast<std::int64_t>(bytes_); }
+  std::int64_t memory_bytes() const override {
+    return static_cast<std::int64_t>(bytes_ + (particles_ ? particles_->bytes() : 0));
+  }
   double bytes_per_step() const override;
 
   void set_state(const StateArrays& state) override;
@@ -51,6 +55,9 @@ class TileBackend final : public Backend {
 
   void advance(StepLoop& loop, const StepRules& rules, std::int64_t most, const LoopStages& stages,
                const std::function<void()>& meanwhile) override;
+  void move_particles(double dt) override;
+  ParticleArrays particles() const override { return particles_->arrays(); }
+  void set_particles(const ParticleArrays& particles) override { particles_->set(particles); }
   void begin_capture(const CaptureRequest& request) override;
   Capture end_capture() override;
   StepOutcome step(double dt) override;
@@ -141,6 +148,7 @@ class TileBackend final : public Backend {
   Array<CellSums> row_sums_;  // and behind them the total
   Array<R> found_speed_;
   Array<std::int64_t> found_cell_;
+  std::unique_ptr<particles::ParticleStage<Machine>> particles_;  // null without config.particles
   // Of the capture under way:
   CaptureRequest request_;
   Array<R> staging_;  // the captured fields, one behind the other

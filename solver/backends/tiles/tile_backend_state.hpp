@@ -124,6 +124,13 @@ std::vector<ProbeSample> TileBackend<Machine, Tile>::sample(const std::vector<st
 }
 
 template <class Machine, class Tile>
+void TileBackend<Machine, Tile>::move_particles(double dt) {
+  machine_->launch(ParticleSandKernel<Tile>{tile_, control_.current, particles_->sand()}, cell_blocks(),
+                   {cell_threads, 1}, 0);
+  particles_->move(dt);
+}
+
+template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::begin_capture(const CaptureRequest& request) {
   request_ = request;
   const std::size_t count = request.fields.size() * cells(), probes = request.cells.size();
@@ -141,6 +148,9 @@ void TileBackend<Machine, Tile>::begin_capture(const CaptureRequest& request) {
     launch_field(request.fields[k], staging_.data() + k * cells());
   }
   launch_sums();
+  if (particles_) {
+    particles_->begin_capture();
+  }
   if (probes > 0) {
     const int blocks = static_cast<int>((probes + cell_threads - 1) / cell_threads);
     machine_->launch(ProbeKernel<Tile>{tile_, control_.current, probe_cells_.data(), static_cast<std::int64_t>(probes),
@@ -163,6 +173,9 @@ Capture TileBackend<Machine, Tile>::end_capture() {
   for (std::size_t k = 0; k < request_.cells.size(); ++k) {
     const double* sample = captured_probes_.data() + 3 * k;
     capture.probes.push_back({sample[0], sample[1], sample[2]});
+  }
+  if (particles_) {
+    capture.particles = particles_->end_capture();
   }
   capture.statistics = grid_statistics(*captured_sums_.data(), config_.grid.spacing);
   return capture;

@@ -37,6 +37,10 @@ TileBackend<Machine, Tile>::TileBackend(const std::shared_ptr<Machine>& machine,
     const std::vector<R> none(cells(), R(0));
     set_maxima({none, none, std::vector<R>(cells(), std::numeric_limits<R>::quiet_NaN())});
   }
+  if (config.particles) {
+    particles_ =
+        std::make_unique<particles::ParticleStage<Machine>>(machine, *config.particles, config.grid, config.boundaries);
+  }
   const std::vector<R> depth(initial.depth.begin(), initial.depth.end()), still(depth.size(), R(0));
   set_state({depth, still, still});
 }
@@ -93,14 +97,10 @@ void TileBackend<Machine, Tile>::lay_out_states() {
   }
 }
 
-/// Before anything is allocated: sizes in words, fields that a frame may take included.
+/// Before anything is allocated, for three fields that a frame may take too.
 template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::check_memory(const InitialState& initial) const {
-  double words = 6.0 + (config_.maxima ? 3.0 : 0.0) + 3.0;
-  for (const auto* map : {&initial.bed, &initial.friction_coefficient, &initial.hbar_scale, &initial.hbar_cap}) {
-    words += map->size() > 1 ? 1.0 : 0.0;
-  }
-  const double needed = words * static_cast<double>(cells()) * static_cast<double>(sizeof(R));
+  const double needed = expected_bytes(config_, initial) + 3.0 * static_cast<double>(cells()) * sizeof(R);
   const double free = static_cast<double>(machine_->free_bytes());
   if (needed > free) {
     const auto mebibytes = [](double bytes) { return std::to_string(static_cast<std::int64_t>(bytes / 1048576.0)); };

@@ -1,0 +1,99 @@
+// A machine for the particles of the CPU backend: the blocks of a launch run on several threads. The same members as
+// tiles::HostMachine has, as far as particles need them; what threads do to one number at a time does not depend on
+// their order.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+#include "solver/backends/tiles/block.hpp"
+
+namespace sandsim::particles {
+
+/// A block of threads that is carried out in turn by one thread of the host, beside other blocks.
+class ThreadedBlock {
+ public:
+  ThreadedBlock(int width, int x) : width_(width), x_(x) {}
+
+  int x() const { return x_; }
+  int width() const { return width_; }
+
+  template <class Phase>
+  void each(const Phase& phase) {
+    for (int x = 0; x < width_; ++x) {
+      phase(x, 0);
+    }
+  }
+  void raise(float* target, float value) {
+    replace(target, value, [](float now, float better) { return now < better; });
+  }
+  void lower(std::int64_t* target, std::int64_t value) {
+    replace(target, value, [](std::int64_t now, std::int64_t better) { return better < now; });
+  }
+  void add(std::int64_t* target, std::int64_t value) {
+    std::atomic_ref(*target).fetch_add(value, std::memory_order_relaxed);
+  }
+
+ private:
+  template <class T, class Better>
+  static void replace(T* target, T value, const Better& is_better) {
+    const std::atomic_ref<T> shared(*target);
+    T now = shared.load(std::memory_order_relaxed);
+    while (is_better(now, value) && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+    }
+  }
+
+  int width_, x_;
+};
+
+class ThreadedMachine {
+ public:
+  template <class T>
+  class Array {
+   public:
+    Array() = default;
+    Array(const ThreadedMachine&, std::size_t count) : values_(std::make_unique<T[]>(count)), size_(count) {}
+    T* data() const { return values_.get(); }
+    std::size_t size() const { return size_; }
+
+   private:
+    std::unique_ptr<T[]> values_;
+    std::size_t size_ = 0;
+  };
+  template <class T>
+  using HostArray = Array<T>;
+
+  explicit ThreadedMachine(int threads) : threads_(threads) {}
+
+  template <class T>
+  void upload(T* to, const std::type_identity_t<T>* from, std::size_t count) {
+    std::copy_n(from, count, to);
+  }
+  template <class T>
+  void download(T* to, const std::type_identity_t<T>* from, std::size_t count) {
+    std::copy_n(from, count, to);
+  }
+  template <class T>
+  void begin_copy(T* to, const std::type_identity_t<T>* from, std::size_t count) {
+    std::copy_n(from, count, to);
+  }
+  void finish_copies() {}
+
+  template <class Kernel>
+  void launch(const Kernel& kernel, tiles::GridShape grid, tiles::BlockShape shape, std::size_t) {
+#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
+    for (int x = 0; x < grid.x; ++x) {
+      ThreadedBlock block(shape.width, x);
+      kernel(block);
+    }
+  }
+
+ private:
+  int threads_;
+};
+
+}  // namespace sandsim::particles
