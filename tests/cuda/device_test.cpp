@@ -28,6 +28,10 @@ TEST_CASE("Objects act on the device as on the CPU") {
   check_objects_on(make_cuda_backend);
 }
 
+TEST_CASE("Particles on the device are those of the CPU") {
+  check_particles_on(make_cuda_backend);
+}
+
 TEST_CASE("Runs side by side on the device go as each on the CPU") {
   check_ensemble(make_cuda_ensemble);
 }

@@ -41,7 +41,8 @@ class Formats(unittest.TestCase):
 
     def test_dimensions_and_coordinates(self):
         for data in self.data_sets():
-            self.assertEqual(dict(data.sizes), {"time": 3, "y": 4, "x": 6, "probe": 2, "front_depth": 2})
+            self.assertEqual(dict(data.sizes), {"time": 3, "y": 4, "x": 6, "probe": 2, "front_depth": 2, "object": 2, "axis": 3,
+                                                "quaternion": 4, "particle": 96})
             np.testing.assert_array_equal(data["time"], [0.0, 0.25, 0.5])
             np.testing.assert_array_equal(data["x"], 0.25 + 0.5 * np.arange(6))
             np.testing.assert_array_equal(data["y"], 0.25 + 0.5 * np.arange(4))
@@ -80,6 +81,40 @@ class Formats(unittest.TestCase):
             np.testing.assert_array_equal(data["front"].sel(front_depth=0.125), [0.125, 1.125, 2.125])
             self.assertEqual(data["reference_depth"].dims, ("time", "x"))
             self.assertTrue(np.isnan(data["reference_depth"]).all())
+
+    def test_objects(self):
+        for data in self.data_sets():
+            self.assertEqual(list(data["object_name"].values), ["plate", "b\u00e4ll"])
+            self.assertEqual(data["object_position"].dims, ("time", "object", "axis"))
+            np.testing.assert_array_equal(data["object_position"][2, 1], [2, 1, -0.5])
+            self.assertEqual(data["object_rotation"].dims, ("time", "object", "quaternion"))
+            np.testing.assert_array_equal(data["object_rotation"][1, 0], [0.6, 0, 0, 0.8])
+            np.testing.assert_array_equal(data["object_present"][:, 0], [1, 0, 1])
+
+    def test_particles(self):
+        for data in self.data_sets():
+            self.assertEqual(data["particle_position"].dims, ("time", "particle", "axis"))
+            self.assertEqual(data["particle_position"].dtype, np.float32)
+            np.testing.assert_array_equal(data["particle_position"][2, 95], [95, 2, -0.5])
+            np.testing.assert_array_equal(data["particle_id"][1], 2**32 + np.arange(96))
+            np.testing.assert_array_equal(data["particle_visible"][0], (np.arange(96) + 1) % 2)
+            for bare in ("particle", "axis", "quaternion"):
+                self.assertNotIn(bare, data.coords)
+
+    def test_xdmf_of_particles_points_into_the_series(self):
+        with h5py.File(self.path("float32.h5"), "r") as file:
+            frames = xml.parse(self.path("particles.xdmf")).getroot().findall("./Domain/Grid/Grid")
+            self.assertEqual(len(frames), 3)
+            for item in frames[2].iter("DataItem"):
+                if item.get("ItemType") != "HyperSlab":
+                    continue
+                slab, source = item.findall("DataItem")
+                rank = int(slab.get("Dimensions").split()[1])
+                start, stride, count = np.array(slab.text.split(), dtype=int).reshape(3, rank)
+                values = file[source.text.split(":")[1]]
+                self.assertEqual(tuple(map(int, source.get("Dimensions").split())), values.shape)
+                self.assertEqual((start[0], *start[1:], *stride), (2,) + (0,) * (rank - 1) + (1,) * rank)
+                self.assertEqual(tuple(count), (1,) + values.shape[1:])
 
     def test_attributes(self):
         for data in self.data_sets():

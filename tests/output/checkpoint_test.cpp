@@ -31,6 +31,7 @@ Checkpoint some_checkpoint() {
   checkpoint.state.depth = std::vector<float>{0.1f, -0.0f, 1e-45f, std::nanf("77")};
   checkpoint.state.momentum_x = std::vector<float>(4, 0.25f);
   checkpoint.state.momentum_y = std::vector<float>(4, -0.25f);
+  checkpoint.particles = {{0.5f, 0.25f}, {0.0f, 0.75f}, {std::int64_t{7} << 32, 1}, {1.0f}, {-1.0f}, {2, 9, 8, 6, 2}};
   return checkpoint;
 }
 
@@ -68,6 +69,13 @@ TEST_CASE("A checkpoint comes back bit for bit") {
   CHECK(same_bits(read.state.momentum_y, std::get<std::vector<float>>(written.state.momentum_y)));
   CHECK_FALSE(read.state.has_covers());
   CHECK(same_bits(read.max_depth, std::vector<float>{}));
+  CHECK(read.particles.offset_x == written.particles.offset_x);
+  CHECK(read.particles.offset_y == written.particles.offset_y);
+  CHECK(read.particles.id == written.particles.id);
+  CHECK(read.particles.velocity_x == written.particles.velocity_x);
+  CHECK(read.particles.velocity_y == written.particles.velocity_y);
+  CHECK(read.particles.report.moves == 9);
+  CHECK(read.particles.report.left == 2);
   CHECK_FALSE(fs::exists(directory / "checkpoint.h5.tmp"));
 }
 

@@ -10,6 +10,7 @@
 
 #include "io/hdf5/hdf5.hpp"
 #include "io/output/series_reader.hpp"
+#include "solver/particles.hpp"
 
 namespace sandsim::test {
 namespace {
@@ -86,6 +87,18 @@ Frame frame_of(const Scene& scene, std::int64_t index) {
   }
   for (std::size_t k = 0; k < scene.output.probes.size(); ++k) {
     frame.probes.push_back({number + 0.5 * static_cast<double>(k), -number, 3.0});
+  }
+  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+    frame.objects.push_back({{number, static_cast<double>(k), -0.5}, {0.6, 0.0, 0.0, 0.8}, index != 1});
+  }
+  if (scene.particles) {
+    const std::int64_t count = ParticleGrid(scene.grid, *scene.particles).count();
+    for (std::int64_t k = 0; k < count; ++k) {
+      const float x = static_cast<float>(k), y = static_cast<float>(index);
+      frame.particles.position.insert(frame.particles.position.end(), {x, y, -0.5f});
+      frame.particles.id.push_back((index << 32) | k);
+      frame.particles.visible.push_back(k % 2 == 0 ? 1 : 0);
+    }
   }
   if (scene.reference) {
     for (const double depth : scene.reference->front_depths) frame.fronts.push_back(number + depth);

@@ -14,6 +14,11 @@ Scene scene_with_everything() {
   scene.output.fields = {OutputField::depth, OutputField::velocity, OutputField::surface, OutputField::momentum};
   scene.output.maxima = true;
   scene.output.probes = {{"left", {0.3, 0.3}}, {"r\u00e4nd", {1.3, 0.3}}};
+  KinematicObject plate, ball;
+  plate.name = "plate", ball.name = "b\u00e4ll";
+  scene.objects = {plate, ball};
+  scene.particles = Particles{};
+  scene.particles->spacing = 0.5 * scene.grid.spacing;
   scene.reference.emplace();
   scene.reference->front_depths = {0.0, 0.125};
   scene.reference->exact = DamBreakReference{1.0, 0.2};
@@ -37,6 +42,7 @@ TEST_CASE("Results for other programs", "[.formats]") {
 
   write(directory / "float32.h5", scene, true);
   write_xdmf(directory / "float32.h5", directory / "float32.xdmf");
+  write_particle_xdmf(directory / "float32.h5", directory / "particles.xdmf");
   scene.numerics.precision = Precision::float64;
   scene.output.compression = Compression::gzip;
   write(directory / "float64.h5", scene, true);

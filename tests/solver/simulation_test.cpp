@@ -143,6 +143,8 @@ TEST_CASE("A resumed run gives the bits of an uninterrupted one") {
     plough.position = {0.1, 0.1, 0.12};
     plough.motion = ConstantMotion{{0.2, 0.0, 0.0}, {}};
     scene.objects = {plough};
+    scene.particles = Particles{};
+    scene.particles->spacing = 0.5 * scene.grid.spacing;
     MemorySink whole, first, second;
     const RunReport expected = run(scene, {}, whole);
 
@@ -175,7 +177,62 @@ TEST_CASE("A resumed run gives the bits of an uninterrupted one") {
     }
     CHECK(second.finals.max_speed == whole.finals.max_speed);
     CHECK(second.finals.max_depth == whole.finals.max_depth);
+    CHECK(second.frames.back().particles.id == whole.frames.back().particles.id);
+    CHECK(second.frames.back().particles.position == whole.frames.back().particles.position);
+    CHECK(second.frames.back().objects.front().position == whole.frames.back().objects.front().position);
+    REQUIRE(resumed.particles);
+    CHECK(resumed.particles->born == expected.particles->born);
+    CHECK(resumed.particles->moves == expected.particles->moves);
   }
+}
+
+TEST_CASE("Particles do not act on the sand, and without them there is no trace of them") {
+  Scene scene = collapse(40, 9, Precision::float32);
+  MemorySink without, with;
+  const RunReport bare = run(scene, {}, without);
+  scene.particles = Particles{};
+  scene.particles->spacing = scene.grid.spacing;
+  const RunReport report = run(scene, {}, with);
+  CHECK(report.steps == bare.steps);
+  REQUIRE(with.frames.size() == without.frames.size());
+  for (std::size_t k = 0; k < with.frames.size(); ++k) {
+    CHECK(field_of(with.frames[k], "depth") == field_of(without.frames[k], "depth"));
+    CHECK(with.frames[k].particles.id.size() == 360);
+    CHECK(without.frames[k].particles.id.empty());
+  }
+  CHECK_FALSE(bare.particles);
+  CHECK(bare.memory_bytes < report.memory_bytes);
+  const auto has_stage = [](const RunReport& of) {
+    return std::any_of(of.stages.begin(), of.stages.end(), [](const auto& stage) { return stage.name == "particles"; });
+  };
+  CHECK_FALSE(has_stage(bare));
+  CHECK(has_stage(report));
+  // The sand runs along x only, and takes some with it.
+  REQUIRE(report.particles);
+  CHECK(report.particles->moves > 0);
+  CHECK(report.particles->born == report.particles->merged);
+}
+
+TEST_CASE("Frames say where the objects are and whether they are there") {
+  Scene scene = collapse(20, 20, Precision::float32);
+  KinematicObject sphere;
+  sphere.name = "sphere";
+  sphere.shape = SphereShape{0.05, {}};
+  sphere.position = {0.1, 0.2, 0.5};
+  sphere.motion = ConstantMotion{{0.1, 0.0, 0.0}, {0.0, 0.0, M_PI}};
+  sphere.start = 0.2, sphere.end = 0.8;
+  scene.objects = {sphere};
+  MemorySink sink;
+  run(scene, {}, sink);
+  REQUIRE(sink.frames.size() == 11);
+  REQUIRE(sink.frames[7].objects.size() == 1);
+  const ObjectPose& pose = sink.frames[7].objects[0];  // at 0.7 s, half a second after the start
+  CHECK_THAT(pose.position[0], WithinAbs(0.15, 1e-12));
+  CHECK_THAT(pose.rotation[0], WithinAbs(std::sqrt(0.5), 1e-12));  // a quarter turn
+  CHECK_THAT(pose.rotation[3], WithinAbs(std::sqrt(0.5), 1e-12));
+  CHECK(pose.present);
+  CHECK_FALSE(sink.frames[1].objects[0].present);
+  CHECK_FALSE(sink.frames[9].objects[0].present);
 }
 
 TEST_CASE("A wall clock limit ends the run with a checkpoint") {

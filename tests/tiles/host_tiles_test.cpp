@@ -19,6 +19,10 @@ TEST_CASE("Objects act on tiles as on the CPU and lose no sand") {
   check_objects_on(make_host_tiles);
 }
 
+TEST_CASE("Particles on tiles are those of the CPU") {
+  check_particles_on(make_host_tiles);
+}
+
 TEST_CASE("Runs side by side in blocks go as each on the CPU") {
   check_ensemble(make_host_ensemble);
 }

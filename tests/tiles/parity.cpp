@@ -208,6 +208,36 @@ void check_loops(const MakeBackend& make) {
   }
 }
 
+void check_particles_on(const MakeBackend& make) {
+  unsigned seed = 700;
+  for (const Variant& variant : variants()) {
+    for (const Numerics& numerics : all_numerics()) {
+      for (const ParticleVelocity velocity : {ParticleVelocity::averaged, ParticleVelocity::dilute}) {
+        CAPTURE(variant.nx, variant.ny, numerics.order, static_cast<int>(numerics.scheme),
+                static_cast<int>(numerics.precision), static_cast<int>(velocity));
+        Setting s = make_setting(variant, numerics, ++seed);
+        s.config.particles = Particles{};
+        s.config.particles->spacing = 0.5 * s.config.grid.spacing, s.config.particles->layers = 2;
+        s.config.particles->velocity = velocity;
+        const auto cpu = make_cpu_backend(s.config, s.initial);
+        const auto tiles = make(s.config, s.initial);
+        cpu->set_state(s.state), tiles->set_state(s.state);
+        for (int n = 0; n < 4; ++n) {
+          const double dt = std::min(cpu->stable_step(), 0.05);
+          cpu->step(dt), tiles->step(dt);
+          cpu->move_particles(3.0 * dt), tiles->move_particles(3.0 * dt);
+          cpu->begin_capture({}), tiles->begin_capture({});
+          const ParticleFrame a = cpu->end_capture().particles, b = tiles->end_capture().particles;
+          REQUIRE((a.position == b.position && a.id == b.id && a.visible == b.visible));
+        }
+        const ParticleReport a = cpu->particles().report, b = tiles->particles().report;
+        CHECK((a.moves == b.moves && a.born == b.born && a.merged == b.merged && a.left == b.left));
+        CHECK(a.born == a.merged + a.left);
+      }
+    }
+  }
+}
+
 namespace {
 
 /// Small grids fit a block's shared memory; with a large one the states stay where they are.

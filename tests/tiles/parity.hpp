@@ -19,6 +19,8 @@ void check_steps(const MakeBackend& make);
 void check_loops(const MakeBackend& make);
 /// Objects that displace and drag.
 void check_objects_on(const MakeBackend& make);
+/// Particles that follow the sand.
+void check_particles_on(const MakeBackend& make);
 /// Runs side by side, of different grids, materials, boundaries and steps.
 void check_ensemble(const MakeEnsemble& make);
 
