@@ -118,11 +118,10 @@ std::string run_summary(const Scene& scene, const RunReport& report, const std::
   }
   if (report.particles) {
     const ParticleReport& particles = *report.particles;
-    text +=
-        line("particles",
-             fmt::format("{} in every frame; {} gone into the cell of an older one, {} out of the grid, "
-                         "as many new ones",
-                         format_count(particles.count), format_count(particles.merged), format_count(particles.left)));
+    text += line("particles", fmt::format("{} in every frame; {} gone where there were others, {} out of the grid, "
+                                          "as many new ones",
+                                          format_count(particles.count), format_count(particles.merged),
+                                          format_count(particles.left)));
   }
   if (report.at_rest) {
     text +=

@@ -47,7 +47,7 @@ struct ParticleReport {
   std::int64_t count = 0;   // at any time
   std::int64_t moves = 0;   // of all of them
   std::int64_t born = 0;    // after the first
-  std::int64_t merged = 0;  // gone because an older one entered the same cell
+  std::int64_t merged = 0;  // gone: an older one was in the same cell, and none beside it was empty
   std::int64_t left = 0;    // through open sides
 };
 

@@ -12,7 +12,7 @@ double expected_bytes(const BackendConfig& config, const InitialState& initial) 
     words += map->size() > 1 ? 1.0 : 0.0;
   }
   const double covers = config.covers ? word + sizeof(double) : 0.0;
-  constexpr double particle = 40.0 + 21.0;  // where they are and where they go, and a frame of them [B]
+  constexpr double particle = 52.0 + 21.0;  // where they are and where they go, and a frame of them [B]
   const double particles =
       config.particles ? particle * static_cast<double>(ParticleGrid(config.grid, *config.particles).count()) : 0.0;
   return cells * (words * word + covers) + particles;

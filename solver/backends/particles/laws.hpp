@@ -15,18 +15,31 @@
 
 namespace sandsim::particles {
 
-/// Along one axis of J: a cell, and the way from its corner, in [0, 1) cells.
+/// A place along an axis: a cell, and the way from its corner, in [0, 1) cells. Of J, or of the sand's grid.
 struct Place {
   int cell;
   float offset;
 };
 
-/// One axis of J and its two sides. `refinement` cells of it make a cell of the sand.
+inline constexpr float just_below_one = 0x1.fffffep-1f;
+
+/// One axis and its two sides.
 struct Axis {
   int cells;
-  int refinement;
   BoundaryKind low, high;
 };
+
+/// From J to the sand's grid, of which one cell holds `refinement` cells of J, and back.
+SANDSIM_HD Place in_sand(const Place& place, int refinement) {
+  const int cell = place.cell / refinement;
+  const float within = static_cast<float>(place.cell - cell * refinement) + place.offset;
+  return {cell, physics::minimum(within / static_cast<float>(refinement), just_below_one)};
+}
+SANDSIM_HD Place in_particles(const Place& place, int refinement) {
+  const float within = place.offset * static_cast<float>(refinement);
+  const int part = physics::minimum(static_cast<int>(within), refinement - 1);
+  return {place.cell * refinement + part, physics::minimum(within - static_cast<float>(part), just_below_one)};
+}
 
 /// Where a particle lies within its cell (eq. 30).
 struct Offsets {
@@ -65,11 +78,11 @@ SANDSIM_HD float carrying_velocity(R momentum, R h, const physics::Material<R>& 
   return static_cast<float>(mean * (h < max_factor * hbar ? h / hbar : max_factor));
 }
 
-/// A way along an axis, in cells of J and short against the grid.
+/// A way along an axis, in cells and short against the grid.
 SANDSIM_HD void shift(Place& place, float way) {
   const float offset = place.offset + way, whole = floorf(offset);
   place.cell += static_cast<int>(whole);
-  place.offset = physics::minimum(offset - whole, 0x1.fffffep-1f);  // a tiny step back from 0 would round to 1
+  place.offset = physics::minimum(offset - whole, just_below_one);  // a tiny step back from 0 would round to 1
 }
 
 /// Brings a place back onto the axis: to the wall, or to the other side of a periodic grid. False if it is beyond an
@@ -83,7 +96,7 @@ SANDSIM_HD bool bring_inside(Place& place, const Axis& axis) {
   if (kind == BoundaryKind::periodic) {
     place.cell = (place.cell % axis.cells + axis.cells) % axis.cells;
   } else {
-    place = high ? Place{axis.cells - 1, 0x1.fffffep-1f} : Place{0, 0.0f};
+    place = high ? Place{axis.cells - 1, just_below_one} : Place{0, 0.0f};
   }
   return kind != BoundaryKind::open;
 }
@@ -94,18 +107,16 @@ struct Stencil {
   int lower;
   float weight;
 };
-SANDSIM_HD Stencil stencil(const Place& place, int refinement) {
-  const int cell = place.cell / refinement;
-  const float from_centre =
-      (static_cast<float>(place.cell - cell * refinement) + place.offset) / static_cast<float>(refinement) - 0.5f;
-  return from_centre < 0.0f ? Stencil{cell - 1, from_centre + 1.0f} : Stencil{cell, from_centre};
+SANDSIM_HD Stencil stencil(const Place& place) {
+  const bool below = place.offset < 0.5f;
+  return {below ? place.cell - 1 : place.cell, below ? place.offset + 0.5f : place.offset - 0.5f};
 }
 
-/// Bilinear interpolation (eq. 27) of value(i, j).
-template <class Value>
-SANDSIM_HD float interpolate(const Stencil& x, const Stencil& y, const Value& value) {
-  const float below = (1.0f - x.weight) * value(x.lower, y.lower) + x.weight * value(x.lower + 1, y.lower);
-  const float above = (1.0f - x.weight) * value(x.lower, y.lower + 1) + x.weight * value(x.lower + 1, y.lower + 1);
+/// Bilinear interpolation (eq. 27) of the values at four centres: at the lower y, at the upper one.
+SANDSIM_HD float interpolate(const Stencil& x, const Stencil& y, float left_below, float right_below, float left_above,
+                             float right_above) {
+  const float below = (1.0f - x.weight) * left_below + x.weight * right_below;
+  const float above = (1.0f - x.weight) * left_above + x.weight * right_above;
   return (1.0f - y.weight) * below + y.weight * above;
 }
 

@@ -17,9 +17,6 @@
 
 namespace sandsim::particles {
 
-/// A hop is at most this part of a cell of the sand: the velocity is bilinear in between.
-inline constexpr float longest_hop = 0.5f;
-
 /// Machine: as for tiles::TileBackend.
 template <class Machine>
 class ParticleStage {
@@ -53,14 +50,18 @@ class ParticleStage {
     bytes_ += size * sizeof(T);
     return Array<T>(*machine_, size);
   }
+  /// Blocks along the rows of `columns` threads, row by row.
   template <class Kernel>
-  void launch(const Kernel& kernel, std::size_t threads) {
-    const std::size_t blocks = (threads + threads_a_block - 1) / threads_a_block;
-    machine_->launch(kernel, {static_cast<int>(blocks), 1}, {threads_a_block, 1}, 0);
+  void launch(const Kernel& kernel, int columns, int rows) {
+    machine_->launch(kernel, {rows, (columns + threads_a_block - 1) / threads_a_block}, {threads_a_block, 1}, 0);
   }
-  /// The longest way of the move, in cells of J; takes the present velocities for the next move.
-  float find_ways(double dt);
-  void settle();
+  template <class Kernel>
+  void launch(const Kernel& kernel) {
+    launch(kernel, kernel.box.columns(), kernel.box.rows() * grid_.layers);
+  }
+  ParticleBox whole() const { return {0, grid_.columns, 0, grid_.rows}; }
+  MoveExtent find_ways(double dt);
+  ParticleBox box_of(const MoveExtent& extent) const;
 
   std::shared_ptr<Machine> machine_;
   ParticleGrid grid_;
@@ -72,12 +73,13 @@ class ParticleStage {
   float *before_x_ = nullptr, *before_y_ = nullptr;  // [m/s] velocities at the last move
   ParticleView particles_;
   ParticleReport report_;
-  Array<float> sand_values_;  // velocities now and at the last move, depth and surface now
-  Array<float> ways_;         // with a ring of ghost cells
-  Array<float> offsets_;      // x, y, and where they move to
-  Array<std::int64_t> ids_;   // now and next
-  Array<std::int64_t> claims_;
-  Array<float> longest_;
+  Array<float> sand_values_;    // velocities now and at the last move, depth and surface now
+  Array<Way> ways_;             // with a ring of ghost cells
+  Array<float> offsets_;        // x, y, and where they move to
+  Array<std::int64_t> ids_;     // now, and of those that move
+  Array<std::int64_t> claims_;  // by particles that enter by themselves, and that are pushed
+  Array<int> entered_;
+  Array<MoveExtent> extent_;
   Array<std::int64_t> counts_;  // born, left
   Array<float> positions_;      // allocated by the first capture
   Array<std::uint8_t> visible_;
@@ -102,62 +104,73 @@ ParticleStage<Machine>::ParticleStage(std::shared_ptr<Machine> machine, const Pa
   sand_.velocity_x = sand_values_.data(), sand_.velocity_y = sand_.velocity_x + cells;
   before_x_ = sand_.velocity_y + cells, before_y_ = before_x_ + cells;
   sand_.depth = before_y_ + cells, sand_.surface = sand_.depth + cells;
-  ways_ = allocate<float>(2 * (static_cast<std::size_t>(sand_.nx) + 2) * (static_cast<std::size_t>(sand_.ny) + 2));
+  ways_ = allocate<Way>((static_cast<std::size_t>(sand_.nx) + 2) * (static_cast<std::size_t>(sand_.ny) + 2));
   offsets_ = allocate<float>(4 * count());
   ids_ = allocate<std::int64_t>(2 * count());
-  claims_ = allocate<std::int64_t>(count());
-  longest_ = allocate<float>(1);
+  claims_ = allocate<std::int64_t>(2 * count());
+  entered_ = allocate<int>(count());
+  extent_ = allocate<MoveExtent>(1);
   counts_ = allocate<std::int64_t>(2);
 
-  particles_.x = {grid_.columns, grid_.refinement, sides.x_min, sides.x_max};
-  particles_.y = {grid_.rows, grid_.refinement, sides.y_min, sides.y_max};
-  particles_.layers = grid_.layers, particles_.seed = particles.seed;
+  particles_.grid = grid_, particles_.seed = particles.seed;
+  particles_.x = {sand_.nx, sides.x_min, sides.x_max}, particles_.y = {sand_.ny, sides.y_min, sides.y_max};
   particles_.offset_x = offsets_.data(), particles_.offset_y = particles_.offset_x + count();
   particles_.moved_x = particles_.offset_y + count(), particles_.moved_y = particles_.moved_x + count();
-  particles_.id = ids_.data(), particles_.next_id = particles_.id + count();
-  particles_.claims = claims_.data();
+  particles_.id = ids_.data(), particles_.moved_id = particles_.id + count();
+  particles_.claims = claims_.data(), particles_.pushed_claims = particles_.claims + count();
+  particles_.entered = entered_.data();
 
-  const std::vector<std::int64_t> none(count(), no_claim);
+  const std::vector<std::int64_t> none(claims_.size(), no_claim);
   machine_->upload(claims_.data(), none.data(), none.size());
-  settle();
+  launch(SettleKernel{particles_, whole(), 0, counts_.data()});
   report_ = {grid_.count(), 0, 0, 0, 0};
 }
 
+/// Takes the present velocities for the next move.
 template <class Machine>
-float ParticleStage<Machine>::find_ways(double dt) {
-  const std::size_t ring = ways_.size() / 2;
-  float longest = 0.0f;
-  machine_->upload(longest_.data(), &longest, 1);
-  const auto scale = static_cast<float>(0.5 * dt / spacing_);
-  launch(WayKernel{sand_, before_x_, before_y_, scale, ways_.data(), ways_.data() + ring, longest_.data()}, ring);
+MoveExtent ParticleStage<Machine>::find_ways(double dt) {
+  MoveExtent extent{0.0f, sand_.nx, 1, sand_.ny, 1};
+  machine_->upload(extent_.data(), &extent, 1);
+  const auto scale = static_cast<float>(0.5 * dt / (spacing_ * grid_.refinement));
+  launch(WayKernel{sand_, before_x_, before_y_, scale, ways_.data(), extent_.data()}, sand_.nx + 2, sand_.ny + 2);
   std::swap(sand_.velocity_x, before_x_), std::swap(sand_.velocity_y, before_y_);
-  machine_->download(&longest, longest_.data(), 1);
-  return longest;
+  machine_->download(&extent, extent_.data(), 1);
+  return extent;
+}
+
+/// The cells of J that particles may leave or enter. Of an axis that may be crossed through a periodic side, all.
+template <class Machine>
+ParticleBox ParticleStage<Machine>::box_of(const MoveExtent& extent) const {
+  // Moving sand carries what lies within a cell of its centre; that goes as far as the longest way, and rounding.
+  const auto reach = static_cast<std::int64_t>(std::min(extent.longest, 1e9f)) + 3;
+  const auto range = [&](std::int64_t first, std::int64_t last, const Axis& axis, int& begin, int& end) {
+    const std::int64_t low = first - reach, high = last + reach + 1;
+    const bool around =
+        (low < 0 && axis.low == BoundaryKind::periodic) || (high > axis.cells && axis.high == BoundaryKind::periodic);
+    begin = around ? 0 : grid_.refinement * static_cast<int>(std::max<std::int64_t>(low, 0));
+    end = grid_.refinement * (around ? axis.cells : static_cast<int>(std::min<std::int64_t>(high, axis.cells)));
+  };
+  ParticleBox box;
+  range(extent.i0, -extent.i1, particles_.x, box.column0, box.column1);
+  range(extent.j0, -extent.j1, particles_.y, box.row0, box.row1);
+  return box;
 }
 
 template <class Machine>
 void ParticleStage<Machine>::move(double dt) {
-  const float longest = find_ways(dt);
-  if (!(longest > 0.0f)) {
+  const MoveExtent extent = find_ways(dt);
+  if (!(extent.longest > 0.0f)) {
     return;  // everything rests, and so do they
   }
-  const float hops = std::ceil(longest / (longest_hop * static_cast<float>(grid_.refinement)));
-  const std::size_t ring = ways_.size() / 2;
+  const ParticleBox box = box_of(extent);
   report_.moves += 1;
-  launch(MoveKernel{particles_, sand_.nx, ways_.data(), ways_.data() + ring, static_cast<int>(std::min(hops, 1e6f)),
-                    counts_.data() + 1},
-         count());
-  settle();
+  launch(MoveKernel{particles_, box, ways_.data(), counts_.data() + 1});
+  launch(PushKernel{particles_, box});
+  launch(SettleKernel{particles_, box, report_.moves, counts_.data()});
   std::int64_t counted[2];
   machine_->download(counted, counts_.data(), 2);
   report_.born = counted[0] - report_.count, report_.left = counted[1];
   report_.merged = report_.born - report_.left;
-}
-
-template <class Machine>
-void ParticleStage<Machine>::settle() {
-  launch(SettleKernel{particles_, report_.moves, counts_.data()}, count());
-  std::swap(particles_.id, particles_.next_id);
 }
 
 template <class Machine>
@@ -169,8 +182,8 @@ void ParticleStage<Machine>::begin_capture() {
     captured_ids_ = HostArray<std::int64_t>(*machine_, count());
     captured_visible_ = HostArray<std::uint8_t>(*machine_, count());
   }
-  launch(ShowKernel{particles_, sand_, origin_x_, origin_y_, spacing_, hide_below_, positions_.data(), visible_.data()},
-         count());
+  launch(ShowKernel{particles_, whole(), sand_, origin_x_, origin_y_, spacing_, hide_below_, positions_.data(),
+                    visible_.data()});
   machine_->begin_copy(captured_positions_.data(), positions_.data(), 3 * count());
   machine_->begin_copy(captured_ids_.data(), particles_.id, count());
   machine_->begin_copy(captured_visible_.data(), visible_.data(), count());

@@ -17,9 +17,10 @@ namespace sandsim::particles {
 /// A block of threads that is carried out in turn by one thread of the host, beside other blocks.
 class ThreadedBlock {
  public:
-  ThreadedBlock(int width, int x) : width_(width), x_(x) {}
+  ThreadedBlock(int width, int x, int y) : width_(width), x_(x), y_(y) {}
 
   int x() const { return x_; }
+  int y() const { return y_; }
   int width() const { return width_; }
 
   template <class Phase>
@@ -47,7 +48,7 @@ class ThreadedBlock {
     }
   }
 
-  int width_, x_;
+  int width_, x_, y_;
 };
 
 class ThreadedMachine {
@@ -87,8 +88,10 @@ class ThreadedMachine {
   void launch(const Kernel& kernel, tiles::GridShape grid, tiles::BlockShape shape, std::size_t) {
 #pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
     for (int x = 0; x < grid.x; ++x) {
-      ThreadedBlock block(shape.width, x);
-      kernel(block);
+      for (int y = 0; y < grid.y; ++y) {
+        ThreadedBlock block(shape.width, x, y);
+        kernel(block);
+      }
     }
   }
 
