@@ -114,7 +114,7 @@ double TriangleTree::squared_distance(const Vec3& p, const Corners& t) {
                    objects::squared_distance(p, t.c, t.a)});
 }
 
-double TriangleTree::distance(const Vec3& p, std::uint32_t& nearest) const {
+double TriangleTree::distance(const Vec3& p, std::uint32_t& nearest, double most) const {
   // Of squares: 5e-4 of the distance.
   constexpr double closer = 1.0 - 1e-3;
   struct Visit {
@@ -123,7 +123,7 @@ double TriangleTree::distance(const Vec3& p, std::uint32_t& nearest) const {
   };
   Visit stack[deepest];
   std::size_t top = 0;
-  double best = squared_distance(p, triangles_[nearest]);
+  double best = std::min(squared_distance(p, triangles_[nearest]), most * most);
   stack[top++] = {0, squared_distance(p, nodes_[0])};
   while (top > 0) {
     const Visit visit = stack[--top];

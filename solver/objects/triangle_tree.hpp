@@ -15,8 +15,9 @@ class TriangleTree {
 
   /// The distance [m] from `p` to the surface, at most 5e-4 of itself too large: among triangles that are nearly as
   /// near, as seen from the centre of a sphere, no nearest one is searched for. `nearest` is a triangle to start with
-  /// and becomes the one that was found; from one point to a neighbouring one it is the best guess.
-  double distance(const Vec3& p, std::uint32_t& nearest) const;
+  /// and becomes the one that was found; from one point to a neighbouring one it is the best guess. A distance of
+  /// `most` or more comes out as `most`, which takes less time.
+  double distance(const Vec3& p, std::uint32_t& nearest, double most = endless) const;
 
   /// How often the surface winds around `p`: 1 inside a closed surface, 0 outside, in between near its holes. Far
   /// parts count as dipoles (Barill et al. 2018, "Fast winding numbers for soups and clouds", section 3, order 1).

@@ -91,11 +91,11 @@ class Builder {
   }
 
   std::uint32_t add_vertex(const Vec3& point, double bed, const std::array<double, 2>& gradient) {
-    const double size = std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + 1.0);
+    const double scale = 1.0 / std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + 1.0);
     mesh_.shape.vertices.push_back(point);
     mesh_.bed.push_back(bed);
-    mesh_.normals.push_back({static_cast<float>(-gradient[0] / size), static_cast<float>(-gradient[1] / size),
-                             static_cast<float>(1.0 / size)});
+    mesh_.normals.push_back({static_cast<float>(-gradient[0] * scale), static_cast<float>(-gradient[1] * scale),
+                             static_cast<float>(scale)});
     return static_cast<std::uint32_t>(mesh_.bed.size() - 1);
   }
 
