@@ -7,9 +7,8 @@
 #include <type_traits>
 
 #include "io/hdf5/hdf5.hpp"
-#include "io/output/atomic_file.hpp"
+#include "io/output/atomic_hdf5.hpp"
 #include "io/scene/quantity.hpp"
-#include "solver/errors.hpp"
 
 namespace sandsim {
 namespace {
@@ -110,21 +109,10 @@ std::string csv_text(const Table& table) {
 }
 
 void write_table(const std::filesystem::path& path, const Table& table) {
-  const std::filesystem::path temporary = path.string() + ".tmp";
-  try {
-    const hdf5::Session session;
-    Handle file = hdf5::create_file(temporary);
-    for (const auto& [name, text] : table.attributes) hdf5::write_attribute(file.id(), name, text);
-    write_columns(file.id(), table);
-    require(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write " + temporary.string());
-    file.close("close " + temporary.string());
-    sync_file(temporary);
-    rename_durably(temporary, path);
-  } catch (const hdf5::Failure& failure) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw OutputError(fmt::format("{}: {}", path.string(), failure.what()));
-  }
+  write_hdf5_atomically(path, [&table](hid_t file) {
+    for (const auto& [name, text] : table.attributes) hdf5::write_attribute(file, name, text);
+    write_columns(file, table);
+  });
 }
 
 }  // namespace sandsim
