@@ -7,9 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "io/output/output_directory.hpp"
 #include "io/output/series_reader.hpp"
-#include "io/output/series_writer.hpp"
 #include "solver/errors.hpp"
 #include "solver/reference/compare.hpp"
 
@@ -19,28 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path series_of(const fs::path& given) {
-  std::error_code ignored;
-  if (!fs::exists(given, ignored)) throw InputError(given.string() + ": no such folder of results, or series");
-  if (!fs::is_directory(given, ignored)) return given;
-  const fs::path finished = OutputFiles(given).series;
-  return fs::exists(finished, ignored) ? finished : partial_series_path(finished);
-}
-
-Grid grid_of(const SeriesReader& series) {
-  const std::vector<double> x = series.read_coordinate("x"), y = series.read_coordinate("y");
-  if (x.size() < 2) throw hdf5::Failure("fewer than two cells along x");
-  Grid grid;
-  grid.cells = {static_cast<int>(x.size()), static_cast<int>(y.size())};
-  grid.spacing = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
-  grid.origin = {x.front() - 0.5 * grid.spacing, y.empty() ? 0.0 : y.front() - 0.5 * grid.spacing};
-  return grid;
-}
-
 /// The depths of a series, frame by frame.
 class Depths {
  public:
-  explicit Depths(const fs::path& path) : series_(path), grid_(grid_of(series_)) {
+  explicit Depths(const fs::path& path) : series_(path), grid_(series_.grid()) {
     const StoredVariable* depth = series_.find("depth");
     if (depth == nullptr || !depth->has_dimensions({"time", "y", "x"})) {
       throw hdf5::Failure("it holds no depth over time; the run needs output.fields with depth");
@@ -72,7 +52,7 @@ class Depths {
 
 template <class Result>
 Result with_depths(const fs::path& given, const std::function<Result(const Depths&, const std::string&)>& read) {
-  const fs::path path = series_of(given);
+  const fs::path path = series_path(given);
   const hdf5::Session session;
   try {
     return read(Depths(path), path.string());

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/output/output_directory.hpp"
 #include "io/output/series_layout.hpp"
+#include "io/output/series_writer.hpp"
+#include "solver/errors.hpp"
 
 namespace sandsim {
 namespace {
@@ -54,6 +57,16 @@ StoredVariable describe(hid_t file, const std::string& name) {
 
 }  // namespace
 
+std::filesystem::path series_path(const std::filesystem::path& given) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(given, ignored)) {
+    throw InputError(given.string() + ": no such folder of results, or series");
+  }
+  if (!std::filesystem::is_directory(given, ignored)) return given;
+  const std::filesystem::path finished = OutputFiles(given).series;
+  return std::filesystem::exists(finished, ignored) ? finished : partial_series_path(finished);
+}
+
 SeriesReader::SeriesReader(const std::filesystem::path& path) : file_(hdf5::open_file(path, false)) {
   for (const std::string& name : hdf5::dataset_names(file_.id())) variables_.push_back(describe(file_.id(), name));
   times_ = read_coordinate("time");
@@ -77,6 +90,18 @@ std::vector<double> SeriesReader::read_coordinate(const std::string& name) const
 
 std::string SeriesReader::attribute(const std::string& name) const {
   return hdf5::read_text_attribute(file_.id(), name).value_or("");
+}
+
+Grid SeriesReader::grid() const {
+  const std::vector<double> x = read_coordinate("x"), y = read_coordinate("y");
+  if (x.empty() || y.empty() || (x.size() < 2 && y.size() < 2)) throw hdf5::Failure("fewer than two cells");
+  const std::vector<double>& longer = x.size() > 1 ? x : y;
+  Grid grid;
+  grid.cells = {static_cast<int>(x.size()), static_cast<int>(y.size())};
+  grid.spacing = (longer.back() - longer.front()) / static_cast<double>(longer.size() - 1);
+  if (!(grid.spacing > 0.0)) throw hdf5::Failure("the coordinates of its cells do not rise");
+  grid.origin = {x.front() - 0.5 * grid.spacing, y.front() - 0.5 * grid.spacing};
+  return grid;
 }
 
 }  // namespace sandsim

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/hdf5/hdf5.hpp"
+#include "solver/scene.hpp"
 
 namespace sandsim {
 
@@ -23,6 +24,10 @@ struct StoredVariable {
   bool has_dimensions(const std::vector<std::string>& names) const { return dimensions == names; }
 };
 
+/// The series that `given` stands for: itself, or that of a results folder, finished or partial. Throws InputError if
+/// there is nothing of that name.
+std::filesystem::path series_path(const std::filesystem::path& given);
+
 /// An open series, finished or partial. The caller holds an hdf5::Session. Functions throw hdf5::Failure.
 class SeriesReader {
  public:
@@ -33,6 +38,8 @@ class SeriesReader {
   const StoredVariable* find(const std::string& name) const;
   std::vector<double> read_coordinate(const std::string& name) const;
   std::string attribute(const std::string& name) const;
+  /// The grid of its cells, of which there are two at least.
+  Grid grid() const;
 
   /// Frames that were completed: those that have a time.
   std::size_t frames() const { return times_.size(); }
