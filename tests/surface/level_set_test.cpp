@@ -53,7 +53,7 @@ TEST_CASE("a level layer has the signed distance of its box") {
   CHECK(largest_error <= 5e-4 * band + 1e-6);
 }
 
-TEST_CASE("a cone of sand has the distance of a cone, to the square of the cells") {
+TEST_CASE("a cone of sand has the distance of a cone to the second order of the cells") {
   // Slope 1/2; the error of a mesh of chords, and of the half-cell band, falls with the cells. Looked at beside the
   // slant, away from the tip and the foot where the cells round the cone off.
   const auto largest_error = [](int cells) {

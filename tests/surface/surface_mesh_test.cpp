@@ -71,7 +71,7 @@ TEST_CASE("opposite corners with little sand between them stay apart") {
   CHECK(projected_area(joined.shape) > 2.0 * projected_area(apart.shape));
 }
 
-TEST_CASE("a mesh of rough sand has no doubled vertex and no edge out of place, open or closed") {
+TEST_CASE("a mesh of rough sand is manifold without doubled vertices whether it is closed or not") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     INFO(seed);
     const int nx = 7 + static_cast<int>(seed % 5), ny = 4 + static_cast<int>(seed % 7);
@@ -106,7 +106,7 @@ TEST_CASE("depths at the contour make neither doubled points nor degenerate tria
   CHECK(smallest_area(mesh.shape) > 0.0);
 }
 
-TEST_CASE("all sand: the mesh reaches the sides and has the volume of the cells but for the corners") {
+TEST_CASE("sand everywhere reaches the sides and has the volume of the cells but for the corners") {
   const int nx = 9, ny = 6;
   std::vector<double> depth;
   for (int j = 0; j < ny; ++j) {
@@ -127,7 +127,7 @@ TEST_CASE("all sand: the mesh reaches the sides and has the volume of the cells 
   CHECK_THAT(volume_above_bed(mesh), WithinRel(sum(depth) + corners, 1e-14));
 }
 
-TEST_CASE("no sand: an empty mesh that can be closed") {
+TEST_CASE("no sand is an empty mesh that can be closed") {
   SurfaceMesh mesh = sand_mesh(flat_field(4, 3, std::vector<double>(12, 0.0)), contour);
   close(mesh);
   CHECK(mesh.shape.vertices.empty());
@@ -167,7 +167,7 @@ TEST_CASE("one cell becomes a square") {
   CHECK(mesh.rim.size() == 8);
 }
 
-TEST_CASE("on a plane the normals are those of the plane, and level sand lies level on it") {
+TEST_CASE("on a plane the normals are those of the plane and so is the height over it") {
   const int nx = 5, ny = 4;
   const Grid grid = unit_grid(nx, ny);
   std::vector<double> bed;
@@ -213,7 +213,7 @@ TEST_CASE("points of the contour have the depth of the contour and the normal of
   CHECK(points == 14);  // both sides of seven rows of nodes
 }
 
-TEST_CASE("a given elevation is that of the mesh, and depths tell where it ends") {
+TEST_CASE("a given elevation is that of the mesh while depths tell where it ends") {
   const Grid grid = unit_grid(3, 3);
   const std::vector<double> bed(9, 1.0);
   const std::vector<double> depth(9, 0.5);
