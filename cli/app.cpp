@@ -1,4 +1,5 @@
-// The only file that includes CLI11: it takes seconds to compile, and it would exit with codes of its own.
+// Includes CLI11, as the other set-up of options does: it takes seconds to compile, and it would exit with codes of
+// its own.
 #include "cli/app.hpp"
 
 #include <unistd.h>
@@ -10,8 +11,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/export/export_options.hpp"
 #include "cli/failures.hpp"
 #include "cli/help.hpp"
+#include "cli/option_checks.hpp"
 #include "cli/text.hpp"
 #include "io/output/version.hpp"
 
@@ -26,20 +29,13 @@ struct Arguments {
   FitArguments fit;
   CheckArguments check;
   InfoArguments info;
+  ExportArguments exported;
   SchemaArguments schema;
   BenchArguments bench;
   StudyArguments study;
   StressArguments stress;
   std::function<ExitCode(Console&)> command;
 };
-
-/// Accepts the given words only; CLI11's own check for this prints how it stores them.
-std::function<std::string(const std::string&)> one_of(std::vector<std::string> words) {
-  return [words](const std::string& text) -> std::string {
-    const bool known = std::find(words.begin(), words.end(), text) != words.end();
-    return known ? "" : "'" + text + "' is none of " + join(", ", words);
-  };
-}
 
 void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
   command.add_option("SCENE", scene, "Scene file, or a folder that holds a scene.yaml")->required();
@@ -314,6 +310,9 @@ void add_everything(CLI::App& app, Arguments& all) {
   add_fit(app, all);
   add_check(app, all);
   add_info(app, all);
+  add_export(app, all.exported);
+  app.get_subcommand("export")->callback(
+      [&all] { all.command = [&all](Console& console) { return export_command(all.exported, console); }; });
   add_schema(app, all);
   add_devices(app, all);
   add_bench(app, all);

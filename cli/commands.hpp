@@ -20,6 +20,7 @@ ExitCode sweep_command(const SweepArguments& arguments, Console& console);
 ExitCode fit_command(const FitArguments& arguments, Console& console);
 ExitCode check_command(const CheckArguments& arguments, Console& console);
 ExitCode info_command(const InfoArguments& arguments, Console& console);
+ExitCode export_command(const ExportArguments& arguments, Console& console);
 ExitCode schema_command(const SchemaArguments& arguments, Console& console);
 ExitCode devices_command(Console& console);
 ExitCode bench_command(const BenchArguments& arguments, Console& console);

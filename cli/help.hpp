@@ -7,6 +7,7 @@ inline constexpr const char* program = R"(Examples:
   sandsim run scenes/flume/scene.yaml          solve it; results go to results/flume
   sandsim check scenes/flume/scene.yaml        what it needs, before it runs
   sandsim info results/flume                   what came out, and how the run went
+  sandsim export results/flume                 the sand's surface as a mesh
   sandsim COMMAND --help                       more about a command
 
 Exit codes:
@@ -132,6 +133,33 @@ inline constexpr const char* info = R"(RESULT is a results directory, or a serie
 Examples:
   sandsim info results/flume
   sandsim info results/flume/series.h5)";
+
+inline constexpr const char* exported =
+    R"(What is written, in metres with z up, and its formats (the first if none is named):
+  surface    ply obj vtp vtk   the sand as triangles with normals, clipped where less than --iso of it lies
+                               (marching squares at the paper's 0.1 cells). It reaches half a cell beyond the
+                               last cell centres, to the sides of the domain; one row of cells is a band one
+                               cell wide. With --closed the ground and upright sides make it a closed solid.
+  terrain    ply obj vtp vtk   the bed as triangles
+  particles  ply vtp           the visible particles with their ids (scenes with 'particles')
+  level-set  h5 npy            signed distances to the closed sand, negative inside, cut off beyond --band:
+                               for renderers, and as 'shape: {type: sdf}' of an object in another scene.
+                               .npy holds neither origin nor spacing: they are printed, ready for the scene
+The format may also be told by the name after -o. The surface is at the height that the series has in 'surface',
+where a run kept that (sand on an object lies on the object), else and for solids at bed + depth.
+
+RESULT is a results directory, or a series.h5 or series.h5.partial. Without -o the file is RESULT/WHAT.FORMAT, with
+--all RESULT/WHAT/WHAT_0000.FORMAT and so on, by the numbers of the frames. The printed volume is that between
+the mesh and the ground, beside that of all sand in the frame: what lies thinner than --iso is not under it.
+
+Examples:
+  sandsim export results/flume                                    the last frame's sand: surface.ply
+  sandsim export results/flume --frame 0 -o start.obj
+  sandsim export results/flume --what terrain
+  sandsim export results/flume --time '0.5 s' --closed -o sand.ply    to print, or to measure
+  sandsim export results/flume --all --format vtp                 a numbered file a frame, for ParaView
+  sandsim export results/cars --what level-set --cell '0.25 cells'
+  sandsim export results/cars --what particles --all --overwrite)";
 
 inline constexpr const char* schema =
     R"(Editors complete and check scenes with it. For VS Code and others with a YAML language server:

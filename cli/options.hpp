@@ -84,6 +84,23 @@ struct InfoArguments {
   std::string result;
 };
 
+struct ExportArguments {
+  std::string result;
+  std::string what = "surface";       // or terrain, particles, level-set
+  std::optional<std::string> format;  // absent: that of `output`, or the first that `what` has
+  std::optional<int> frame;           // from 0, or from the end below 0; absent: the last
+  std::optional<std::string> time;    // of the frame, "2 s"
+  bool all = false;                   // frames
+  std::string output;                 // file, with `all` a folder; empty: WHAT in the result's folder
+  bool overwrite = false;
+  std::optional<std::string> iso;   // depth at which the sand is clipped; absent: 0.1 cells
+  bool closed = false;              // the mesh, by the ground and upright sides
+  std::optional<std::string> cell;  // spacing of a level set; absent: 0.5 cells
+  std::optional<std::string> band;  // about its surface; absent: 4 spacings
+  bool json = false;
+  bool quiet = false;
+};
+
 struct SchemaArguments {
   bool reference = false;  // the Markdown page instead of the JSON Schema
 };

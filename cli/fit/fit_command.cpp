@@ -10,12 +10,12 @@
 #include "cli/fit/findings.hpp"
 #include "cli/machine.hpp"
 #include "cli/memory.hpp"
+#include "cli/option_value.hpp"
 #include "cli/run_paths.hpp"
 #include "cli/signals.hpp"
 #include "cli/text.hpp"
 #include "io/output/atomic_file.hpp"
 #include "io/output/mesh_cache.hpp"
-#include "io/scene/quantity.hpp"
 #include "io/scene/scene_reader.hpp"
 #include "solver/errors.hpp"
 
@@ -75,15 +75,8 @@ struct Tolerance {
 Tolerance tolerance_of(const FitArguments& arguments, const FitReference& reference, const Scene& scene) {
   if (arguments.tolerance) {
     const std::string& text = *arguments.tolerance;
-    const Parsed<double> parsed = parse_quantity(text, Dimension::length, scene.grid.spacing, "2 mm");
-    if (const Complaint* complaint = std::get_if<Complaint>(&parsed)) {
-      throw Error(ExitCode::usage,
-                  fmt::format("--tolerance {}: {}. {}", text, complaint->problem, complaint->suggestion));
-    }
-    if (!(std::get<double>(parsed) > 0.0)) {
-      throw Error(ExitCode::usage, fmt::format("--tolerance {}: not above 0", text));
-    }
-    return {std::get<double>(parsed), "the best and --tolerance " + text};
+    const double value = positive_option("--tolerance", text, Dimension::length, scene.grid.spacing);
+    return {value, "the best and --tolerance " + text};
   }
   const double cells = reference.front_depth > 0.0 ? front_cells : tip_cells;
   const double of_signal = known_to * reference.signal, of_cell = cells * scene.grid.spacing;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/option_value.hpp"
 #include "io/output/run_curves.hpp"
 #include "io/raster/read_csv.hpp"
-#include "io/scene/quantity.hpp"
 #include "solver/errors.hpp"
 #include "solver/initial_state.hpp"
 #include "solver/reference/compare.hpp"
@@ -19,22 +19,10 @@ namespace {
 
 using Kind = FitReference::Kind;
 
-double read_option(const std::string& option, const std::string& text, Dimension dimension, double cell) {
-  const Parsed<double> parsed = parse_quantity(text, dimension, cell, example(dimension));
-  if (const Complaint* complaint = std::get_if<Complaint>(&parsed)) {
-    throw Error(ExitCode::usage, fmt::format("{} {}: {}. {}", option, text, complaint->problem, complaint->suggestion));
-  }
-  const double value = std::get<double>(parsed);
-  if (!(value > 0.0)) {
-    throw Error(ExitCode::usage, fmt::format("{} {}: not above 0", option, text));
-  }
-  return value;
-}
-
 /// 1 % of the largest depth at the start, if neither the command nor the scene says what defines the front.
 double front_depth_of(const FitArguments& arguments, const Scene& scene) {
   if (arguments.front_depth) {
-    return read_option("--front-depth", *arguments.front_depth, Dimension::length, scene.grid.spacing);
+    return positive_option("--front-depth", *arguments.front_depth, Dimension::length, scene.grid.spacing);
   }
   if (scene.reference) {
     for (const double depth : scene.reference->front_depths) {
@@ -202,7 +190,7 @@ const char* FitReference::signal_name() const {
 }
 
 FitReference read_fit_reference(const FitArguments& arguments, const Scene& scene) {
-  const double time = arguments.at ? read_option("--at", *arguments.at, Dimension::time, 0.0) : scene.time.end;
+  const double time = arguments.at ? positive_option("--at", *arguments.at, Dimension::time, 0.0) : scene.time.end;
   if (!arguments.front.empty()) {
     return front_reference(read_front_csv(arguments.front), front_depth_of(arguments, scene), scene);
   }
