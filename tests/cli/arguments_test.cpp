@@ -12,7 +12,7 @@ TEST_CASE("help goes to standard output and exits 0") {
 }
 
 TEST_CASE("every command has a help with an example") {
-  for (const char* command : {"run", "check", "info", "schema", "devices", "bench"}) {
+  for (const char* command : {"run", "check", "info", "export", "schema", "devices", "bench"}) {
     INFO(command);
     const Outcome outcome = call({command, "--help"});
     CHECK(outcome.code == 0);
