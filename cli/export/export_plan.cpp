@@ -10,6 +10,7 @@
 #include "cli/option_value.hpp"
 #include "io/scene/problems.hpp"
 #include "solver/errors.hpp"
+#include "solver/particles.hpp"
 
 namespace sandsim::cli {
 
@@ -170,7 +171,7 @@ ExportPlan plan_export(const ExportArguments& arguments, const SeriesFrames& ser
   const auto length = [cell](const char* option, const std::optional<std::string>& text, double otherwise) {
     return text ? positive_option(option, *text, Dimension::length, cell) : otherwise;
   };
-  plan.contour = length("--iso", arguments.iso, 0.1 * cell);  // the paper, section 7.2
+  plan.contour = length("--iso", arguments.iso, thinnest_shown * cell);
   plan.spacing = length("--cell", arguments.cell, 0.5 * cell);
   plan.band = length("--band", arguments.band, 4.0 * plan.spacing);
   plan.closed = arguments.closed;

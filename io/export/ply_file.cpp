@@ -1,13 +1,20 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <limits>
+#include <cstdlib>
 
 #include "io/export/bytes.hpp"
 #include "io/export/mesh_files.hpp"
 #include "solver/errors.hpp"
 
 namespace sandsim {
+
+namespace {
+
+/// Integers up to here are exact in float64.
+constexpr std::int64_t largest_exact = std::int64_t{1} << 53;
+
+}  // namespace
 
 std::string ply_bytes(const surface::SurfaceMesh& mesh) {
   const auto& [vertices, triangles] = mesh.shape;
@@ -32,15 +39,15 @@ std::string ply_bytes(const surface::SurfaceMesh& mesh) {
 std::string ply_bytes(const VisibleParticles& particles) {
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment sandsim, metres, z up\nelement vertex {}\n"
-      "property float x\nproperty float y\nproperty float z\nproperty int id\nend_header\n",
+      "property float x\nproperty float y\nproperty float z\nproperty double id\nend_header\n",
       particles.positions.size());
   for (std::size_t k = 0; k < particles.positions.size(); ++k) {
     const std::int64_t id = particles.ids[k];
-    if (id < 0 || id > std::numeric_limits<std::int32_t>::max()) {
-      throw OutputError(fmt::format("PLY has 32 bits for the id {} of a particle. Use --format vtp, which has 64", id));
+    if (std::abs(id) > largest_exact) {
+      throw OutputError(fmt::format("PLY has no integers that hold the id {} of a particle. Use --format vtp", id));
     }
     append_bytes(bytes, particles.positions[k]);
-    append_bytes(bytes, static_cast<std::int32_t>(id));
+    append_bytes(bytes, static_cast<double>(id));
   }
   return bytes;
 }

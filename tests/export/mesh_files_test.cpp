@@ -34,7 +34,7 @@ std::vector<Number> vtp_array(const std::string& bytes, const std::string& name)
 VisibleParticles three_particles() {
   VisibleParticles particles;
   particles.positions = {{0.5F, 1.5F, 2.5F}, {-1.0F, 0.0F, 0.25F}, {8.0F, 9.0F, 10.0F}};
-  particles.ids = {7, 0, 2147483647};
+  particles.ids = {7, 0, (std::int64_t{3} << 32) + 5};
   return particles;
 }
 
@@ -130,16 +130,16 @@ TEST_CASE("particles are a point cloud with ids") {
   const VisibleParticles particles = three_particles();
   const std::string ply = ply_bytes(particles);
   const std::size_t data = behind(ply, "end_header\n");
-  REQUIRE(ply.size() == data + 3 * 16);
+  REQUIRE(ply.size() == data + 3 * 20);
   const std::string vtp = vtp_bytes(particles);
   CHECK(vtp_array<std::int64_t>(vtp, "id") == particles.ids);
   CHECK(vtp_array<std::int64_t>(vtp, "connectivity") == std::vector<std::int64_t>{0, 1, 2});
   CHECK(vtp_array<std::int64_t>(vtp, "offsets") == std::vector<std::int64_t>{1, 2, 3});
   const std::vector<float> points = vtp_array<float>(vtp, "points");
   for (std::size_t k = 0; k < 3; ++k) {
-    CHECK(number_at<std::int32_t>(ply, data + 16 * k + 12) == particles.ids[k]);
+    CHECK(number_at<double>(ply, data + 20 * k + 12) == static_cast<double>(particles.ids[k]));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      CHECK(number_at<float>(ply, data + 16 * k + 4 * axis) == particles.positions[k][axis]);
+      CHECK(number_at<float>(ply, data + 20 * k + 4 * axis) == particles.positions[k][axis]);
       CHECK(points[3 * k + axis] == particles.positions[k][axis]);
     }
   }
@@ -147,8 +147,8 @@ TEST_CASE("particles are a point cloud with ids") {
 
 TEST_CASE("an id that PLY cannot hold is refused with the format that can") {
   VisibleParticles particles = three_particles();
-  particles.ids[1] = 2147483648;
-  CHECK(vtp_array<std::int64_t>(vtp_bytes(particles), "id")[1] == 2147483648);
+  particles.ids[1] = (std::int64_t{1} << 53) + 1;
+  CHECK(vtp_array<std::int64_t>(vtp_bytes(particles), "id")[1] == particles.ids[1]);
   try {
     ply_bytes(particles);
     FAIL("nothing was thrown");
