@@ -90,8 +90,19 @@ class Exporter {
       return surface::sand_mesh(surface::height_field(series_.grid(), bed_, depth, elevation), plan_.contour);
     });
     const double cell = series_.grid().spacing;
-    file.volumes = {surface::volume_above_bed(mesh), std::accumulate(depth.begin(), depth.end(), 0.0) * cell * cell};
+    file.volumes =
+        SandVolumes{surface::volume_above_bed(mesh), std::accumulate(depth.begin(), depth.end(), 0.0) * cell * cell,
+                    cells_on_objects(depth, elevation)};
     return mesh;
+  }
+
+  std::size_t cells_on_objects(const std::vector<double>& depth, const std::vector<double>& elevation) const {
+    const double visible = 1e-3 * series_.grid().spacing;  // [m] far more than rounding, less than a mesh shows
+    std::size_t cells = 0;
+    for (std::size_t k = 0; k < elevation.size(); ++k) {
+      cells += std::abs(elevation[k] - bed_[k] - depth[k]) > visible ? 1 : 0;
+    }
+    return cells;
   }
 
   SurfaceMesh build_surface(ExportedFile& file) const {

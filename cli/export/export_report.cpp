@@ -23,8 +23,13 @@ std::string percent(const SandVolumes& volumes) {
 }
 
 std::string volume_text(const SandVolumes& volumes) {
-  return fmt::format("{:.6g} m^3 over the ground; all sand is {:.6g} m^3 ({})", volumes.mesh, volumes.sand,
-                     percent(volumes));
+  std::string text = fmt::format("{:.6g} m^3 over the ground; all sand is {:.6g} m^3 ({})", volumes.mesh, volumes.sand,
+                                 percent(volumes));
+  if (volumes.cells_on_objects > 0) {
+    text += fmt::format("\n{:13}the gaps under sand on an object, in {} cells, count; --closed leaves them out", "",
+                        count(volumes.cells_on_objects));
+  }
+  return text;
 }
 
 /// What a scene says to use a level set as an object; .npy knows no place.
@@ -98,7 +103,10 @@ void add_counts(JsonWriter& json, const ExportPlan& plan, const ExportedFile& fi
   if (file.particles) {
     json.member("particles", file.particles->written).member("particles_hidden", file.particles->hidden);
   }
-  if (file.volumes) json.member("volume_mesh", file.volumes->mesh).member("volume_sand", file.volumes->sand);
+  if (file.volumes) {
+    json.member("volume_mesh", file.volumes->mesh).member("volume_sand", file.volumes->sand);
+    json.member("cells_on_objects", file.volumes->cells_on_objects);
+  }
 }
 
 }  // namespace

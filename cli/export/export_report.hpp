@@ -19,6 +19,8 @@ struct MeshCounts {
 struct SandVolumes {
   double mesh = 0.0;  // [m^3] between the mesh and the ground
   double sand = 0.0;  // [m^3] of all sand of the frame
+  /// Cells whose surface is not bed + depth: sand lies on an object there, and the gap below it counts in `mesh`.
+  std::size_t cells_on_objects = 0;
 };
 struct LevelSetCounts {
   std::array<int, 3> points{0, 0, 0};

@@ -234,6 +234,30 @@ TEST_CASE("the series has its own say on the height of the surface") {
   CHECK(contains(result.exported({"--json", "--closed", "--overwrite"}).out, "\"elevation\": \"bed + depth\""));
 }
 
+TEST_CASE("sand that lies on an object is drawn there and told apart in the volume") {
+  // A plate lies half in the sand, 3 cm above the ground, and sand is poured on it.
+  const Result result(R"(title: Poured on a plate
+grid: {cells: [16, 16], spacing: 1 cm}
+sand:
+  friction_angle: 30 deg
+  hbar: {policy: full}
+  initial: {type: layer, depth: 4 cm}
+  sources: [{center: [8 cm, 8 cm], radius: 2 cm, rate: 500 cm^3/s, end: 1 s}]
+objects:
+  - name: plate
+    shape: {type: box, size: [6 cm, 6 cm, 2 cm]}
+    position: [8 cm, 8 cm, 4 cm]
+    coupling: displace
+time: {end: 40 ms, frame_interval: 20 ms}
+output: {fields: [depth, surface]}
+)");
+  const Outcome first = result.exported();
+  INFO(first.out << first.err);
+  CHECK(contains(first.out, "the gaps under sand on an object, in "));
+  const std::string closed = result.exported({"--closed", "--json", "--overwrite"}).out;
+  CHECK(number_of(closed, "cells_on_objects") == 0);
+}
+
 TEST_CASE("a result without depth says what the run needs") {
   const Result result(column("{fields: [velocity]}"));
   const Outcome outcome = result.exported();
