@@ -136,6 +136,10 @@ class Builder {
     for (int i = 0; i + 1 < field_.nx; ++i) {
       const int kept = below_.kept[i] | below_.kept[i + 1] << 1 | above_.kept[i + 1] << 2 | above_.kept[i] << 3;
       if (kept == 0) continue;
+      if (kept == 15 && i > 0 && j > 0 && i + 2 < field_.nx && j + 2 < field_.ny) {
+        add_whole(i);
+        continue;
+      }
       if (kept != 5 && kept != 10) {
         add(polygons[kept], i, j);
       } else if (is_joined(i, j)) {
@@ -174,12 +178,17 @@ class Builder {
     }
   }
 
+  /// Most squares: all of their corners are kept, and no side is one of the domain's. The fan of add().
+  void add_whole(int i) {
+    const std::uint32_t first = below_.nodes[i], opposite = above_.nodes[i + 1];
+    mesh_.shape.triangles.push_back({first, below_.nodes[i + 1], opposite});
+    mesh_.shape.triangles.push_back({first, opposite, above_.nodes[i]});
+  }
+
   void add(const Polygon& polygon, int i, int j) {
     std::array<std::uint32_t, 6> corners{};
     for (int k = 0; k < polygon.size; ++k) corners[k] = vertex(polygon.points[k], i);
     for (int k = 2; k < polygon.size; ++k) mesh_.shape.triangles.push_back({corners[0], corners[k - 1], corners[k]});
-    const bool is_outer = i == 0 || j == 0 || i + 2 == field_.nx || j + 2 == field_.ny;
-    if (&polygon == &polygons[15] && !is_outer) return;
     for (int k = 0; k < polygon.size; ++k) {
       const int next = (k + 1) % polygon.size;
       add_rim(polygon.points[k], polygon.points[next], {corners[k], corners[next]}, i, j);
