@@ -44,9 +44,11 @@ std::string shape_text(const ExportPlan& plan, const ExportedFile& file) {
 }
 
 std::string times_text(const ExportedFile& file) {
-  const std::string build = file.build_seconds > 0.0 ? format_duration(file.build_seconds) + " to build, " : "";
-  return fmt::format("{} to read, {}{} to write {}", format_duration(file.read_seconds), build,
-                     format_duration(file.write_seconds), format_bytes(file.bytes));
+  const auto part = [](double seconds, const char* doing) {
+    return seconds > 0.0 ? fmt::format("{} to {}, ", format_duration(seconds), doing) : std::string();
+  };
+  return part(file.read_seconds, "read") + part(file.build_seconds, "build") +
+         fmt::format("{} to write {}", format_duration(file.write_seconds), format_bytes(file.bytes));
 }
 
 std::string describe_one(const ExportPlan& plan, const ExportedFile& file) {

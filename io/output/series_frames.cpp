@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "io/output/series_reader.hpp"
 #include "solver/errors.hpp"
@@ -24,11 +25,12 @@ auto SeriesFrames::reading(Read read) const {
 
 SeriesFrames::SeriesFrames(const fs::path& given) : path_(series_path(given)) {
   reading([&] {
-    reader_ = std::make_unique<SeriesReader>(path_);
-    title_ = reader_->attribute("title");
-    grid_ = reader_->grid();
-    times_ = reader_->times();
+    auto reader = std::make_unique<SeriesReader>(path_);  // to be closed within the session if something is wrong
+    title_ = reader->attribute("title");
+    grid_ = reader->grid();
+    times_ = reader->times();
     if (times_.empty()) throw hdf5::Failure("it has no frames");
+    reader_ = std::move(reader);
   });
 }
 
