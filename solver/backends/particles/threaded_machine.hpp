@@ -17,7 +17,8 @@ namespace sandsim::particles {
 /// A block of threads that is carried out in turn by one thread of the host, beside other blocks.
 class ThreadedBlock {
  public:
-  ThreadedBlock(int width, int x, int y) : width_(width), x_(x), y_(y) {}
+  /// `alone`: no other block runs meanwhile.
+  ThreadedBlock(int width, int x, int y, bool alone) : width_(width), x_(x), y_(y), alone_(alone) {}
 
   int x() const { return x_; }
   int y() const { return y_; }
@@ -36,12 +37,20 @@ class ThreadedBlock {
     replace(target, value, [](std::int64_t now, std::int64_t better) { return better < now; });
   }
   void add(std::int64_t* target, std::int64_t value) {
-    std::atomic_ref(*target).fetch_add(value, std::memory_order_relaxed);
+    if (alone_) {
+      *target += value;
+    } else {
+      std::atomic_ref(*target).fetch_add(value, std::memory_order_relaxed);
+    }
   }
 
  private:
   template <class T, class Better>
-  static void replace(T* target, T value, const Better& is_better) {
+  void replace(T* target, T value, const Better& is_better) const {
+    if (alone_) {
+      *target = is_better(*target, value) ? value : *target;
+      return;
+    }
     const std::atomic_ref<T> shared(*target);
     T now = shared.load(std::memory_order_relaxed);
     while (is_better(now, value) && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
@@ -49,6 +58,7 @@ class ThreadedBlock {
   }
 
   int width_, x_, y_;
+  bool alone_;
 };
 
 class ThreadedMachine {
@@ -89,7 +99,7 @@ class ThreadedMachine {
 #pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
     for (int x = 0; x < grid.x; ++x) {
       for (int y = 0; y < grid.y; ++y) {
-        ThreadedBlock block(shape.width, x, y);
+        ThreadedBlock block(shape.width, x, y, threads_ == 1);
         kernel(block);
       }
     }
