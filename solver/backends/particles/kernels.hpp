@@ -189,23 +189,14 @@ struct PushKernel {
         return;
       }
       const float x = particles.moved_x[k], y = particles.moved_y[k];
-      const int near_x = x < 0.5f ? -1 : 1, near_y = y < 0.5f ? -1 : 1;
-      const bool x_first = physics::absolute(x - 0.5f) > physics::absolute(y - 0.5f);
-      // Beside the nearer edge, the other one, across the corner between them; then the far sides.
-      const Beside order[8] = {x_first ? Beside{near_x, 0} : Beside{0, near_y},
-                               x_first ? Beside{0, near_y} : Beside{near_x, 0},
-                               {near_x, near_y},
-                               x_first ? Beside{0, -near_y} : Beside{-near_x, 0},
-                               x_first ? Beside{-near_x, 0} : Beside{0, -near_y},
-                               x_first ? Beside{near_x, -near_y} : Beside{-near_x, near_y},
-                               x_first ? Beside{-near_x, near_y} : Beside{near_x, -near_y},
-                               {-near_x, -near_y}};
       const int to_row = static_cast<int>(entered / particles.grid.columns);
       const int to_column = static_cast<int>(entered - particles.cell(0, to_row));
-      for (const Beside& beside : order) {
-        if (is_empty(to_column + beside.x, to_row + beside.y, to_row / particles.grid.rows)) {
-          particles.moved_x[k] = pushed(x, beside.x), particles.moved_y[k] = pushed(y, beside.y);
-          block.lower(&particles.pushed_claims[particles.cell(to_column + beside.x, to_row + beside.y)], claim);
+      for (int choice = 0; choice < 8; ++choice) {
+        int beside_x, beside_y;
+        choose(choice, x, y, beside_x, beside_y);
+        if (is_empty(to_column + beside_x, to_row + beside_y, to_row / particles.grid.rows)) {
+          particles.moved_x[k] = pushed(x, beside_x), particles.moved_y[k] = pushed(y, beside_y);
+          block.lower(&particles.pushed_claims[particles.cell(to_column + beside_x, to_row + beside_y)], claim);
           return;
         }
       }
@@ -213,9 +204,16 @@ struct PushKernel {
   }
 
  private:
-  struct Beside {
-    int x, y;
-  };
+  /// The cells around a place in a cell: beside the nearest edge, beside the other near one, across the corner between
+  /// them; then the far sides.
+  static SANDSIM_HD void choose(int choice, float x, float y, int& beside_x, int& beside_y) {
+    const bool x_first = physics::absolute(x - 0.5f) > physics::absolute(y - 0.5f);
+    // As factors on the way to the nearer edge: of the axis whose edge is nearer, and of the other one.
+    const int first = choice == 1 || choice == 4 ? 0 : choice == 3 || choice == 6 || choice == 7 ? -1 : 1;
+    const int second = choice == 0 || choice == 3 ? 0 : choice == 4 || choice == 5 || choice == 7 ? -1 : 1;
+    beside_x = (x < 0.5f ? -1 : 1) * (x_first ? first : second);
+    beside_y = (y < 0.5f ? -1 : 1) * (x_first ? second : first);
+  }
   /// A cell of the same layer that the launch goes over and no particle has entered by itself.
   SANDSIM_HD bool is_empty(int column, int row, int layer) const {
     const int in_layer = row - layer * particles.grid.rows;
