@@ -23,14 +23,8 @@ std::unique_ptr<Backend> make_with_bed_or_without(const BackendConfig& config, c
   if (device == Device::cuda) {
     return make_cuda_backend(config, initial);
   }
-  const double needed = expected_bytes(config, initial);
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed > present) {
-    throw DeviceError("the scene needs " + std::to_string(static_cast<std::int64_t>(needed / 1048576.0)) +
-                      " MiB of memory and this machine has " +
-                      std::to_string(static_cast<std::int64_t>(present / 1048576.0)) +
-                      " MiB. Use fewer cells, or numerics.precision: float32?");
-  }
+  require_bytes(config, expected_bytes(config, initial), present, "this machine");
   return make_cpu_backend(config, initial);
 }
 

@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "solver/backends/expected_bytes.hpp"
+#include "solver/errors.hpp"
 #include "tests/support/catch.hpp"
 
 namespace sandsim::test {
@@ -207,6 +210,27 @@ TEST_CASE("The smallest grids run") {
       }
     }
   }
+}
+
+TEST_CASE("A scene that is larger than the memory is refused, and what makes it large is named") {
+  BackendConfig c = config(100, 100, BoundaryKind::wall);
+  const InitialState s = waves(100, 100, false);
+  const auto message = [&] {
+    const double needed = expected_bytes(c, s);
+    CHECK_NOTHROW(require_bytes(c, needed, needed, "this machine"));
+    try {
+      require_bytes(c, needed, needed - 1.0, "this machine");
+    } catch (const DeviceError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  CHECK(message().find("Use fewer cells") != std::string::npos);
+  c.particles = Particles{};
+  c.particles->spacing = 0.01, c.particles->layers = 20;  // 2e7 particles
+  CHECK(expected_bytes(c, s) > 2e7 * 40);                 // at least where they are and where they go
+  CHECK(message().find("of it for particles, and this machine") != std::string::npos);
+  CHECK(message().find("fewer particles.layers") != std::string::npos);
 }
 
 TEST_CASE("Rain reports the volume that the cells gained") {

@@ -101,12 +101,7 @@ void TileBackend<Machine, Tile>::lay_out_states() {
 template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::check_memory(const InitialState& initial) const {
   const double needed = expected_bytes(config_, initial) + 3.0 * static_cast<double>(cells()) * sizeof(R);
-  const double free = static_cast<double>(machine_->free_bytes());
-  if (needed > free) {
-    const auto mebibytes = [](double bytes) { return std::to_string(static_cast<std::int64_t>(bytes / 1048576.0)); };
-    throw DeviceError("the scene needs " + mebibytes(needed) + " MiB of memory and " + machine_->name() + " has " +
-                      mebibytes(free) + " MiB free. Use fewer cells, numerics.precision: float32, or --device cpu?");
-  }
+  require_bytes(config_, needed, static_cast<double>(machine_->free_bytes()), machine_->name());
 }
 
 template <class Machine, class Tile>
