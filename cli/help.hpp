@@ -23,7 +23,8 @@ Exit codes:
   130  interrupted (Ctrl-C, SIGTERM, SIGHUP), checkpoint written)";
 
 inline constexpr const char* run = R"(Output:
-  DIR holds scene.resolved.yaml, run.json (the report), series.h5 with series.xdmf, and log.txt.
+  DIR holds scene.resolved.yaml, run.json (the report), series.h5 with series.xdmf, and log.txt;
+  with particles also particles.xdmf.
   Without -o, DIR is results/NAME in the current directory; NAME is the scene file's name without its
   extension, or the name of its folder if the file is called scene.yaml.
   A DIR that is not empty is refused without --resume or --overwrite.
