@@ -1,0 +1,99 @@
+"""What pictures look like: light, sky, materials and how much work goes into them, as POV-Ray's text."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+SUN_HEIGHT = 33            # [deg] low enough that relief casts shadows
+SUN_TURN = -118            # [deg] from the camera's azimuth: from the left and somewhat behind
+SUN_RADIUS = 2.2           # [deg] seen from the sand: shadows are as soft as under a lamp
+
+# sRGB in 0..255: dark, middle and light grains.
+GRAINS = {"sand": ((166, 134, 94), (210, 182, 141), (238, 221, 190)),
+          "snow": ((222, 230, 241), (237, 242, 250), (250, 252, 255))}
+GRAIN = 1.25               # [pixels] size of a grain where the camera looks at: finer ones would not be seen
+BUMPS = {"sand": 0.45, "snow": 0.2}
+SIDE_DARKER = 0.92         # cut faces beside the surface
+BOARD = (190, 190, 188)
+ROCK = ((92, 86, 80), (124, 116, 107), (152, 143, 132))
+
+
+@dataclass(frozen=True)
+class Quality:
+    """What a picture may cost."""
+
+    radiosity: str             # POV-Ray's settings for light from the sky, with occlusion; none: an even sky
+    sun_samples: int           # lights along a side of the sun; 1 casts sharp shadows
+    options: tuple             # POV-Ray's for antialiasing
+
+
+QUALITIES = {
+    "draft": Quality("", 1, ("+A0.3", "+AM1", "+R2")),
+    "good": Quality("count 70 error_bound 0.7 nearest_count 5 low_error_factor 0.7 minimum_reuse 0.012", 5,
+                    ("+A0.3", "+AM1", "+R2")),
+    "best": Quality("count 300 error_bound 0.35 nearest_count 10 low_error_factor 0.5 minimum_reuse 0.006", 9,
+                    ("+A0.06", "+AM2", "+R3")),
+}
+
+
+def vector(values):
+    """POV-Ray's vector."""
+    return "<" + ",".join(f"{value:.9g}" for value in values) + ">"
+
+
+def srgb(colour, factor=1.0):
+    """A colour of 0..255."""
+    return f"srgb {vector(factor * np.asarray(colour) / 255)}"
+
+
+def settings(camera, quality):
+    radiosity = ""
+    if quality.radiosity:
+        radiosity = ("radiosity { pretrace_start 0.08 pretrace_end 0.01 recursion_limit 1 gray_threshold 0.3 "
+                     f"{quality.radiosity} }}")
+    return f"""#version 3.7;
+global_settings {{ assumed_gamma 1 max_trace_level 4 {radiosity} }}
+#default {{ finish {{ ambient 0 emission 0 diffuse 1 }} }}
+camera {{ location {vector(camera.location)} sky z up z right {-camera.aspect:.9g} * x angle {camera.angle}
+  look_at {vector(camera.look_at)} }}"""
+
+
+def light(camera, quality, even=False):
+    """A low sun and a bright sky, and a white floor; `even`: white light that changes colours little."""
+    azimuth = np.radians(camera.azimuth + SUN_TURN)
+    height = np.radians(55 if even else SUN_HEIGHT)
+    sun = np.array([np.cos(height) * np.cos(azimuth), np.cos(height) * np.sin(azimuth), np.sin(height)])
+    colour, fill = ("0.72", "0.42") if even else ("<1.0, 0.945, 0.86> * 1.5", "<0.9, 0.96, 1.05> * 0.3")
+    area = ""
+    if quality.sun_samples > 1:
+        across = 200 * np.tan(np.radians(SUN_RADIUS))
+        area = (f"area_light x * {across:.4g}, y * {across:.4g}, {quality.sun_samples}, {quality.sun_samples} "
+                "adaptive 1 circular orient")
+    text = f"light_source {{ {vector(100 * sun)} rgb {colour} {area} parallel point_at 0 }}\n"
+    if not quality.radiosity:
+        # An even sky: from above, and from the side of the camera, where the sun does not reach.
+        beside = np.array([-sun[0], -sun[1], 0.35])
+        front = np.array([*(camera.location - camera.look_at)[:2], 0.35])
+        for place, share in ((np.array([0, 0, 1.0]), 0.9), (beside / np.linalg.norm(beside), 0.45),
+                             (front / np.linalg.norm(front), 0.65)):
+            text += f"light_source {{ {vector(100 * place)} rgb {fill} * {share} shadowless parallel point_at 0 }}\n"
+    return text + """sky_sphere { pigment { gradient z color_map {
+  [0 rgb <0.93, 0.95, 0.97> * 0.8] [0.5 rgb <0.62, 0.75, 0.92> * 0.8] } } }
+plane { z, 0.001 pigment { rgb 0.86 } }"""
+
+
+def materials(grains, grain):
+    """Sand, SandSide, Board and Rock; `grain` is the size of a grain, a little more than a pixel."""
+    dark, middle, bright = GRAINS[grains]
+    sand = """#declare {name} = texture {{
+  pigment {{ granite scale {patches:.6g} color_map {{ [0.1 {dark}] [0.42 {middle}] [0.6 {middle}] [0.9 {bright}] }} }}
+  normal {{ bumps {bumps} scale {grain:.6g} }} finish {{ diffuse 0.95 }} }}
+"""
+    text = "".join(sand.format(name=name, patches=3 * grain, grain=grain, bumps=BUMPS[grains], dark=srgb(dark, factor),
+                               middle=srgb(middle, factor), bright=srgb(bright, factor))
+                   for name, factor in (("Sand", 1.0), ("SandSide", SIDE_DARKER)))
+    low, middle, high = map(srgb, ROCK)
+    return text + f"""#declare Board = texture {{ pigment {{ {srgb(BOARD)} }} }}
+#declare Rock = texture {{
+  pigment {{ granite scale {40 * grain:.6g} color_map {{ [0.2 {low}] [0.5 {middle}] [0.8 {high}] }} }}
+  normal {{ granite 0.3 scale {12 * grain:.6g} }} }}"""

@@ -1,0 +1,36 @@
+"""Particles of sand as spheres for POV-Ray, each with a tone of its own that it keeps."""
+
+import numpy as np
+
+from render_look import GRAINS, srgb
+
+TONES = 24                      # different tones between dark and light grains
+RADIUS = 0.55                   # [particle spacings]
+MIXING = 0x9E3779B97F4A7C15     # 2^64 over the golden ratio: scatters neighbouring identities over the tones
+
+
+def tones_of(ids):
+    """The tone of each particle, 0 to TONES - 1: the same for an identity in every frame."""
+    mixed = ids.astype(np.uint64) * np.uint64(MIXING)
+    return ((mixed >> np.uint64(40)) % np.uint64(TONES)).astype(int)
+
+
+def particles(domain, positions, ids, radius, grains):
+    """The text of all particles: positions (n, 3) [m], ids (n), radius [m]."""
+    text = []
+    tones = tones_of(ids)
+    places = domain.local(positions)
+    colours = tone_colours(grains)
+    for tone in range(TONES):
+        own = places[tones == tone]
+        if own.size:
+            spheres = b"sphere{<%.6f,%.6f,%.6f>,R}\n" * len(own) % tuple(own.ravel().tolist())
+            text.append(f"union {{\n{spheres.decode()}pigment {{ {srgb(colours[tone])} }} }}\n")
+    return f"#declare R = {radius / domain.span:.9g};\n" + "".join(text)
+
+
+def tone_colours(grains):
+    """(TONES, 3) in 0..255 from dark to light grains, further apart than the grains themselves."""
+    dark, _, light = (np.array(colour, dtype=float) for colour in GRAINS[grains])
+    share = np.linspace(0, 1, TONES)[:, None]
+    return np.clip((0.72 * dark) * (1 - share) + light * share, 0, 255)

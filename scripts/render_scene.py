@@ -1,0 +1,138 @@
+"""Sand and ground of a result for POV-Ray: height fields with cut sides, which POV-Ray reads in milliseconds.
+
+Lengths in its scene are in units of the domain's longer side, from the middle of its floor, so that a sand box and a
+mountain come to the same numbers. z is up.
+"""
+
+import numpy as np
+
+import povray
+from render_look import vector
+
+# Sand thinner than this is drawn as ground: the contour of the paper's surface (its section 7, h = 0.1 dL).
+CLIP = 0.1                     # [cells]
+ROW_WIDTH = 0.2                # a scene of one row of cells is drawn as a flume this wide, in parts of its length
+PLINTH = 0.035                 # thickness of the board under the lowest ground, in parts of the longer side
+
+
+class Domain:
+    """The block of ground and sand that is drawn, the same for all frames of a result."""
+
+    def __init__(self, series, frames):
+        """`frames` are those whose sand the block is high enough for."""
+        west, east, south, north = series.extent
+        if series.one_dimensional:
+            south, north = 0.0, ROW_WIDTH * (east - west)
+        self.sides = (west, east, south, north)                                       # [m]
+        self.span = max(east - west, north - south)                                   # [m]
+        self.clip = CLIP * series.spacing                                             # [m]
+        self.bed = rows(series.bed.astype(float))                                     # (y, x) [m]
+        surfaces = [self.bed, *(series.surface(frame).astype(float) for frame in frames)]
+        # Single cells throw sand far up ahead of what pushes it: they do not decide how far away the camera is.
+        highest = max(float(np.percentile(surface, 99.8)) for surface in surfaces)
+        self.floor = float(self.bed.min()) - PLINTH * self.span                       # [m]
+        self.centre = np.array([(west + east) / 2, (south + north) / 2, self.floor])  # [m]
+        self.low = self.local([west, south, self.floor])
+        self.high = self.local([east, north, highest])
+
+    @property
+    def is_level(self):
+        return float(np.ptp(self.bed)) == 0.0
+
+    def local(self, points):
+        """Points of the result [m] (..., 3) in the scene's units."""
+        return (np.asarray(points, dtype=float) - self.centre) / self.span
+
+    def placement(self):
+        """POV-Ray's transformation of what is given in metres."""
+        return f"translate {vector(-self.centre)} scale {1 / self.span:.9g}"
+
+
+def rows(field):
+    """A field of one row as a field of two, which has a width."""
+    return np.repeat(field, 2, axis=0) if field.shape[0] == 1 else field
+
+
+def refine(field):
+    """Values at the middles and corners of cells from those at their middles: (n, m) -> (2n + 1, 2m + 1).
+
+    Between neighbours by cubic interpolation, never beyond the two: no waves beside cliffs.
+    """
+    for _ in range(2):
+        padded = np.pad(field, ((2, 2), (0, 0)), mode="edge")
+        before, after = padded[1:-2], padded[2:-1]
+        between = (9 * (before + after) - padded[:-3] - padded[3:]) / 16
+        fine = np.empty((2 * field.shape[0] + 1, field.shape[1]))
+        fine[::2] = np.clip(between, np.minimum(before, after), np.maximum(before, after))
+        fine[1::2] = field
+        field = fine.T
+    return field
+
+
+def ground(folder, domain):
+    """The text of the ground, and its file bed.pgm."""
+    bed = refine(domain.bed)
+    texture = "Board" if domain.is_level else "Rock"
+    return (height_field(folder, "bed", domain, bed, texture)
+            + sides(domain, np.full_like(bed, domain.floor), bed, texture))
+
+
+def sand(folder, name, domain, depth, lowered=0.0):
+    """The text of the sand and its file NAME.pgm; `depth` (y, x) [m]; lowered [m] by what lies on it."""
+    # The surface dives under the ground where the depth falls below the clip.
+    depth = rows(depth.astype(float)) - lowered
+    surface = refine(domain.bed + np.minimum(depth, 2 * (depth - domain.clip)))
+    bed = refine(domain.bed)
+    if not np.any(surface > bed):
+        return ""
+    return (height_field(folder, name, domain, surface, "Sand")
+            + sides(domain, bed, np.maximum(surface, bed), "SandSide"))
+
+
+def colour_map(folder, name, domain, colours):
+    """Textures that colour the sand from above: Sand and SandSide; colours (y, x, 3) in 0..1."""
+    povray.write_ppm(folder / f"{name}.ppm", rows(colours))
+    west, east, south, north = domain.sides
+    size = np.array([east - west, north - south, domain.span]) / domain.span
+    return f"""#declare Sand = texture {{ pigment {{ image_map {{ ppm "{name}.ppm" gamma srgb interpolate 2 once }}
+  scale {vector(size)} translate {vector(domain.low)} }} }}
+#declare SandSide = Sand
+"""
+
+
+def height_field(folder, name, domain, heights, texture):
+    west, east, south, north = domain.sides
+    low = float(heights.min())
+    high = max(float(heights.max()), low + 1e-3 * domain.span)          # a plane has a height too
+    povray.write_pgm(folder / f"{name}.pgm", heights, low, high)
+    # POV-Ray's height fields lie in the unit cube over its x-z plane.
+    x, y, z = domain.local([west, south, low])
+    along_x, along_y, along_z = np.array([east - west, north - south, high - low]) / domain.span
+    return f"""height_field {{ pgm "{name}.pgm" smooth
+  matrix <{along_x:.9g},0,0, 0,0,{along_z:.9g}, 0,{along_y:.9g},0, {x:.9g},{y:.9g},{z:.9g}> texture {{ {texture} }} }}
+"""
+
+
+def sides(domain, low, high, texture):
+    """The four vertical faces between two height fields."""
+    west, east, south, north = domain.sides
+    x, y = np.linspace(west, east, low.shape[1]), np.linspace(south, north, low.shape[0])
+    points, triangles, first = [], [], 0
+    for lower, upper, along_x, along_y in ((low[0], high[0], x, np.full_like(x, south)),
+                                           (low[-1], high[-1], x, np.full_like(x, north)),
+                                           (low[:, 0], high[:, 0], np.full_like(y, west), y),
+                                           (low[:, -1], high[:, -1], np.full_like(y, east), y)):
+        for line in (lower, upper):
+            points.append(domain.local(np.column_stack([along_x, along_y, line])))
+        n = lower.size
+        thick = (upper - lower)[:-1] + (upper - lower)[1:] > 1e-6 * domain.span
+        for k in first + np.flatnonzero(thick):
+            triangles += [(k, k + 1, k + n + 1), (k, k + n + 1, k + n)]
+        first += 2 * n
+    return mesh(np.concatenate(points), triangles, f"texture {{ {texture} }}") if triangles else ""
+
+
+def mesh(points, triangles, ending):
+    """POV-Ray's mesh of triangles (m, 3) between points (n, 3), open for `ending`: texture or transformation."""
+    return (f"mesh2 {{ vertex_vectors {{ {len(points)}, {','.join(map(vector, points))} }}\n"
+            f"face_indices {{ {len(triangles)}, {','.join('<%d,%d,%d>' % tuple(t) for t in triangles)} }} {ending} }}\n")
