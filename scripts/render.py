@@ -31,9 +31,10 @@ from render_objects import Bodies
 from render_particles import RADIUS, particles
 from sandsim_series import Series
 
-COLOURED = {"depth": ("depth of sand h [m]", "viridis"), "speed": ("speed of sand [m/s]", "magma")}
+COLOURED = {"depth": ("depth of sand h [m]", "viridis"), "speed": ("speed of sand [m/s]", "YlOrRd")}
 BAR_WIDTH, TITLE_HEIGHT = 110, 34          # [pixels] beside and above a coloured picture
 PANELS_IN_A_ROW = 3
+MOST_HEADROOM = 0.3                        # [longer sides] room above the sand for objects
 GAP = 6                                    # [pixels] between panels
 
 
@@ -43,17 +44,24 @@ class Renderer:
     def __init__(self, series, options, folder):
         self.series, self.options, self.folder = series, options, folder
         self.quality = render_look.QUALITIES[options.quality]
+        if options.show == "particles" or options.colour:
+            self.quality = render_look.with_even_sky(self.quality)
         sampled = sorted(set(np.linspace(0, series.frames - 1, 6).astype(int)))
         self.domain = domain = render_scene.Domain(series, sampled)
-        width, height = options.size
-        scale = domain.span
-        self.camera = framed(domain.low, domain.high, options.view, width / height, options.zoom,
-                             None if options.look_at is None else domain.local(options.look_at),
-                             None if options.distance is None else options.distance / scale)
         self.bodies = None
         if not options.no_objects and series.object_names:
             by_name = {item["name"]: item for item in series.scene["objects"]}
             self.bodies = Bodies(folder, domain, [by_name[name] for name in series.object_names])
+        visible = domain.corners()
+        if self.bodies:
+            boxes = [domain.local(self.bodies.boxes(series.objects(frame))) for frame in sampled]
+            # Objects that are lifted or driven away do not push the sand out of sight.
+            visible = np.concatenate([visible, np.clip(np.concatenate(boxes), domain.low,
+                                                       domain.high + [0, 0, MOST_HEADROOM])])
+        width, height = options.size
+        self.camera = framed(visible, options.view, width / height, options.zoom,
+                             None if options.look_at is None else domain.local(options.look_at),
+                             None if options.distance is None else options.distance / domain.span)
         grain = render_look.GRAIN * self.camera.pixel(width)
         self.static = "\n".join([
             render_look.settings(self.camera, self.quality),

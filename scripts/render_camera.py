@@ -1,4 +1,4 @@
-"""A perspective camera that looks at a box from a side and frames it."""
+"""A perspective camera that looks at things from a side and frames them."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ MARGIN = 1.06       # room about what is framed
 
 @dataclass(frozen=True)
 class Camera:
-    """Where the camera is and looks. All lengths in the units of the box that it frames; z is up."""
+    """Where the camera is and looks. All lengths in the units of what it frames; z is up."""
 
     location: np.ndarray
     look_at: np.ndarray
@@ -43,18 +43,17 @@ def axes(azimuth, elevation):
     return right, np.cross(back, right), -back
 
 
-def framed(low, high, view, aspect, zoom=1.0, look_at=None, distance=None):
-    """The camera for which the box from `low` to `high` just fills the picture, from a view (azimuth, elevation).
+def framed(points, view, aspect, zoom=1.0, look_at=None, distance=None):
+    """The camera for which points (n, 3) just fill the picture, from a view (azimuth, elevation).
 
     `zoom` 2 shows things twice as large. `look_at` and `distance` replace what framing finds.
     """
     right, up, forward = axes(*view)
-    corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
     across = np.tan(np.radians(ANGLE) / 2) / MARGIN
     above = across / aspect
-    middle = corners.mean(axis=0) if look_at is None else np.asarray(look_at, dtype=float)
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2 if look_at is None else np.asarray(look_at, dtype=float)
     for _ in range(20):         # perspective shifts the middle of the picture: centre it, then measure again
-        r, u, f = ((corners - middle) @ axis for axis in (right, up, forward))
+        r, u, f = ((points - middle) @ axis for axis in (right, up, forward))
         away = max(np.max(np.abs(r) / across - f), np.max(np.abs(u) / above - f))
         if look_at is not None:
             break

@@ -1,6 +1,6 @@
 """What pictures look like: light, sky, materials and how much work goes into them, as POV-Ray's text."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,13 +9,18 @@ SUN_TURN = -118            # [deg] from the camera's azimuth: from the left and 
 SUN_RADIUS = 2.2           # [deg] seen from the sand: shadows are as soft as under a lamp
 
 # sRGB in 0..255: dark, middle and light grains.
-GRAINS = {"sand": ((166, 134, 94), (210, 182, 141), (238, 221, 190)),
+GRAINS = {"sand": ((174, 143, 103), (210, 183, 143), (236, 218, 187)),
           "snow": ((222, 230, 241), (237, 242, 250), (250, 252, 255))}
 GRAIN = 1.25               # [pixels] size of a grain where the camera looks at: finer ones would not be seen
 BUMPS = {"sand": 0.45, "snow": 0.2}
 SIDE_DARKER = 0.92         # cut faces beside the surface
 BOARD = (190, 190, 188)
-ROCK = ((92, 86, 80), (124, 116, 107), (152, 143, 132))
+ROCK = ((104, 98, 92), (128, 121, 113), (150, 143, 134))
+
+
+METAL = "texture { pigment { srgb <0.46, 0.52, 0.58> } finish { specular 0.35 roughness 0.03 } }"
+WOODS = ((184, 135, 89), (163, 115, 71), (133, 89, 54))
+PAINTS = ((184, 41, 33), (33, 77, 148), (51, 117, 66), (217, 153, 33), (115, 61, 128))
 
 
 @dataclass(frozen=True)
@@ -46,6 +51,11 @@ def srgb(colour, factor=1.0):
     return f"srgb {vector(factor * np.asarray(colour) / 255)}"
 
 
+def with_even_sky(quality):
+    """For crowds of small things, in each of whose corners light from the sky would have to be found."""
+    return replace(quality, radiosity="")
+
+
 def settings(camera, quality):
     radiosity = ""
     if quality.radiosity:
@@ -63,7 +73,7 @@ def light(camera, quality, even=False):
     azimuth = np.radians(camera.azimuth + SUN_TURN)
     height = np.radians(55 if even else SUN_HEIGHT)
     sun = np.array([np.cos(height) * np.cos(azimuth), np.cos(height) * np.sin(azimuth), np.sin(height)])
-    colour, fill = ("0.72", "0.42") if even else ("<1.0, 0.945, 0.86> * 1.5", "<0.9, 0.96, 1.05> * 0.3")
+    colour, sky = ("0.75", "<1, 1, 1> * 0.65") if even else ("<1.0, 0.955, 0.885> * 1.42", "<0.93, 0.97, 1.03>")
     area = ""
     if quality.sun_samples > 1:
         across = 200 * np.tan(np.radians(SUN_RADIUS))
@@ -71,15 +81,15 @@ def light(camera, quality, even=False):
                 "adaptive 1 circular orient")
     text = f"light_source {{ {vector(100 * sun)} rgb {colour} {area} parallel point_at 0 }}\n"
     if not quality.radiosity:
-        # An even sky: from above, and from the side of the camera, where the sun does not reach.
-        beside = np.array([-sun[0], -sun[1], 0.35])
-        front = np.array([*(camera.location - camera.look_at)[:2], 0.35])
-        for place, share in ((np.array([0, 0, 1.0]), 0.9), (beside / np.linalg.norm(beside), 0.45),
-                             (front / np.linalg.norm(front), 0.65)):
-            text += f"light_source {{ {vector(100 * place)} rgb {fill} * {share} shadowless parallel point_at 0 }}\n"
-    return text + """sky_sphere { pigment { gradient z color_map {
-  [0 rgb <0.93, 0.95, 0.97> * 0.8] [0.5 rgb <0.62, 0.75, 0.92> * 0.8] } } }
-plane { z, 0.001 pigment { rgb 0.86 } }"""
+        # An even sky: from above, from where the camera stands, and from where the sun does not reach.
+        away = camera.location - camera.look_at
+        for place, share in (((0, 0, 1), 0.34), ((away[0], away[1], 0.35 * np.hypot(*away[:2])), 0.36),
+                             ((-sun[0], -sun[1], 0.35), 0.32)):
+            place = 100 * np.asarray(place) / np.linalg.norm(place)
+            text += f"light_source {{ {vector(place)} rgb {sky} * {share} shadowless parallel point_at 0 }}\n"
+    return text + f"""sky_sphere {{ pigment {{ gradient z color_map {{
+  [0 rgb <0.93, 0.95, 0.97> * 0.8] [0.5 rgb <0.62, 0.75, 0.92> * 0.8] }} }} }}
+plane {{ z, 0.001 pigment {{ rgb {1.2 if even else 0.86} }} }}"""
 
 
 def materials(grains, grain):
@@ -94,6 +104,22 @@ def materials(grains, grain):
                    for name, factor in (("Sand", 1.0), ("SandSide", SIDE_DARKER)))
     low, middle, high = map(srgb, ROCK)
     return text + f"""#declare Board = texture {{ pigment {{ {srgb(BOARD)} }} }}
+#declare BoardSide = texture {{ Board }}
 #declare Rock = texture {{
-  pigment {{ granite scale {40 * grain:.6g} color_map {{ [0.2 {low}] [0.5 {middle}] [0.8 {high}] }} }}
-  normal {{ granite 0.3 scale {12 * grain:.6g} }} }}"""
+  pigment {{ wrinkles scale {30 * grain:.6g} color_map {{ [0.2 {low}] [0.5 {middle}] [0.8 {high}] }} }}
+  normal {{ wrinkles 0.7 scale {14 * grain:.6g} }} }}
+#declare RockSide = texture {{ pigment {{ {srgb(ROCK[1], SIDE_DARKER)} }} }}"""
+
+
+def wood(size):
+    """Wood whose grain runs along the longest of a piece's sides [m]."""
+    size = np.asarray(size)
+    along = ("rotate 90 * y", "rotate 90 * x", "")[int(np.argmax(size))]
+    early, middle, late = map(srgb, WOODS)
+    return (f"texture {{ pigment {{ wood turbulence 0.08 scale {0.15 * size.min():.6g} rotate <3, 3, 0> {along} "
+            f"color_map {{ [0 {early}] [0.7 {middle}] [1 {late}] }} }} }}")
+
+
+def paint(k):
+    """The k-th paint; they come again."""
+    return (f"texture {{ pigment {{ {srgb(PAINTS[k % len(PAINTS)])} }} finish {{ specular 0.3 roughness 0.02 }} }}")

@@ -6,13 +6,16 @@ from render_look import GRAINS, srgb
 
 TONES = 24                      # different tones between dark and light grains
 RADIUS = 0.55                   # [particle spacings]
-MIXING = 0x9E3779B97F4A7C15     # 2^64 over the golden ratio: scatters neighbouring identities over the tones
+# The rounds of splitmix64 (Steele, Lea and Flood, OOPSLA 2014): shift, factor.
+MIXING = ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB))
 
 
 def tones_of(ids):
-    """The tone of each particle, 0 to TONES - 1: the same for an identity in every frame."""
-    mixed = ids.astype(np.uint64) * np.uint64(MIXING)
-    return ((mixed >> np.uint64(40)) % np.uint64(TONES)).astype(int)
+    """The tone of each particle, 0 to TONES - 1: the same for an identity in every frame, and like noise over them."""
+    mixed = ids.astype(np.uint64)
+    for shift, factor in MIXING:
+        mixed = (mixed ^ (mixed >> np.uint64(shift))) * np.uint64(factor)
+    return ((mixed >> np.uint64(33)) % np.uint64(TONES)).astype(int)
 
 
 def particles(domain, positions, ids, radius, grains):
@@ -30,7 +33,7 @@ def particles(domain, positions, ids, radius, grains):
 
 
 def tone_colours(grains):
-    """(TONES, 3) in 0..255 from dark to light grains, further apart than the grains themselves."""
+    """(TONES, 3) in 0..255 from dark to light grains; lighter than the surface, for spheres shade each other."""
     dark, _, light = (np.array(colour, dtype=float) for colour in GRAINS[grains])
     share = np.linspace(0, 1, TONES)[:, None]
-    return np.clip((0.72 * dark) * (1 - share) + light * share, 0, 255)
+    return np.clip(dark * (1 - share) + 1.12 * light * share, 0, 255)

@@ -4,6 +4,8 @@ Lengths in its scene are in units of the domain's longer side, from the middle o
 mountain come to the same numbers. z is up.
 """
 
+from itertools import product
+
 import numpy as np
 
 import povray
@@ -30,14 +32,15 @@ class Domain:
         surfaces = [self.bed, *(series.surface(frame).astype(float) for frame in frames)]
         # Single cells throw sand far up ahead of what pushes it: they do not decide how far away the camera is.
         highest = max(float(np.percentile(surface, 99.8)) for surface in surfaces)
+        self.is_rocky = has_raster(series.scene) and not series.one_dimensional
         self.floor = float(self.bed.min()) - PLINTH * self.span                       # [m]
         self.centre = np.array([(west + east) / 2, (south + north) / 2, self.floor])  # [m]
         self.low = self.local([west, south, self.floor])
         self.high = self.local([east, north, highest])
 
-    @property
-    def is_level(self):
-        return float(np.ptp(self.bed)) == 0.0
+    def corners(self):
+        """(8, 3) in the scene's units."""
+        return np.array(list(product(*zip(self.low, self.high))))
 
     def local(self, points):
         """Points of the result [m] (..., 3) in the scene's units."""
@@ -46,6 +49,12 @@ class Domain:
     def placement(self):
         """POV-Ray's transformation of what is given in metres."""
         return f"translate {vector(-self.centre)} scale {1 / self.span:.9g}"
+
+
+def has_raster(scene):
+    """Whether the ground is a landscape from a file, and no board."""
+    parts = scene.get("terrain") or []
+    return any(part.get("type") == "raster" for part in (parts if isinstance(parts, list) else [parts]))
 
 
 def rows(field):
@@ -69,20 +78,35 @@ def refine(field):
     return field
 
 
+def drawn_depth(depth, clip):
+    """Depth of the sand as it is drawn: negative where it is below `clip`, going on with the slope of the sand beside.
+
+    So the edge of a heap runs smoothly between the cells. (y, x) [m]
+    """
+    dry = depth < clip
+    padded = np.pad(np.where(dry, np.nan, depth), 2, mode="edge")
+    near = [padded[2:-2, 3:-1], padded[2:-2, 1:-3], padded[3:-1, 2:-2], padded[1:-3, 2:-2]]
+    far = [padded[2:-2, 4:], padded[2:-2, :-4], padded[4:, 2:-2], padded[:-4, 2:-2]]
+    steps = np.array([2 * n - f for n, f in zip(near, far)])              # NaN where there is no slope to go on with
+    count = np.count_nonzero(np.isfinite(steps), axis=0)
+    onward = np.nansum(steps, axis=0) / np.maximum(count, 1)
+    # Sand does not reach the middle of a dry cell, and dives no further than a few clips.
+    onward = np.clip(np.where(count > 0, onward, -2 * clip), -10 * clip, -0.2 * clip)
+    return np.where(dry, onward, np.minimum(depth, 2 * (depth - clip)))
+
+
 def ground(folder, domain):
     """The text of the ground, and its file bed.pgm."""
     bed = refine(domain.bed)
-    texture = "Board" if domain.is_level else "Rock"
+    texture = "Rock" if domain.is_rocky else "Board"
     return (height_field(folder, "bed", domain, bed, texture)
-            + sides(domain, np.full_like(bed, domain.floor), bed, texture))
+            + sides(domain, np.full_like(bed, domain.floor), bed, texture + "Side"))
 
 
 def sand(folder, name, domain, depth, lowered=0.0):
     """The text of the sand and its file NAME.pgm; `depth` (y, x) [m]; lowered [m] by what lies on it."""
-    # The surface dives under the ground where the depth falls below the clip.
-    depth = rows(depth.astype(float)) - lowered
-    surface = refine(domain.bed + np.minimum(depth, 2 * (depth - domain.clip)))
-    bed = refine(domain.bed)
+    depth = drawn_depth(rows(depth) - lowered, domain.clip)
+    surface, bed = refine(domain.bed + depth), refine(domain.bed)
     if not np.any(surface > bed):
         return ""
     return (height_field(folder, name, domain, surface, "Sand")
@@ -93,10 +117,11 @@ def colour_map(folder, name, domain, colours):
     """Textures that colour the sand from above: Sand and SandSide; colours (y, x, 3) in 0..1."""
     povray.write_ppm(folder / f"{name}.ppm", rows(colours))
     west, east, south, north = domain.sides
-    size = np.array([east - west, north - south, domain.span]) / domain.span
+    # The cut sides lie on the very edge of the map, beyond which it has no colours.
+    size = 1.001 * np.array([east - west, north - south, domain.span]) / domain.span
     return f"""#declare Sand = texture {{ pigment {{ image_map {{ ppm "{name}.ppm" gamma srgb interpolate 2 once }}
-  scale {vector(size)} translate {vector(domain.low)} }} }}
-#declare SandSide = Sand
+  translate -0.5 scale {vector(size)} }} }}
+#declare SandSide = texture {{ Sand }}
 """
 
 
@@ -129,10 +154,10 @@ def sides(domain, low, high, texture):
         for k in first + np.flatnonzero(thick):
             triangles += [(k, k + 1, k + n + 1), (k, k + n + 1, k + n)]
         first += 2 * n
-    return mesh(np.concatenate(points), triangles, f"texture {{ {texture} }}") if triangles else ""
+    return f"{mesh(np.concatenate(points), triangles)} texture {{ {texture} }} }}\n" if triangles else ""
 
 
-def mesh(points, triangles, ending):
-    """POV-Ray's mesh of triangles (m, 3) between points (n, 3), open for `ending`: texture or transformation."""
+def mesh(points, triangles):
+    """POV-Ray's mesh of triangles (m, 3) between points (n, 3), open for a texture or a transformation."""
     return (f"mesh2 {{ vertex_vectors {{ {len(points)}, {','.join(map(vector, points))} }}\n"
-            f"face_indices {{ {len(triangles)}, {','.join('<%d,%d,%d>' % tuple(t) for t in triangles)} }} {ending} }}\n")
+            f"face_indices {{ {len(triangles)}, {','.join('<%d,%d,%d>' % tuple(t) for t in triangles)} }}")
