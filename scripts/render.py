@@ -27,7 +27,7 @@ import render_scene
 from movies import Movie
 from plotting import plt
 from render_camera import framed
-from render_objects import Bodies
+from render_objects import Bodies, number
 from render_particles import RADIUS, particles
 from sandsim_series import Series
 
@@ -43,15 +43,20 @@ class Renderer:
 
     def __init__(self, series, options, folder):
         self.series, self.options, self.folder = series, options, folder
+        if options.show == "particles" and not series.has_particles:
+            raise ValueError(f"{series.file}: no particles here: ask for them with `particles:` in the scene")
         self.quality = render_look.QUALITIES[options.quality]
         if options.show == "particles" or options.colour:
             self.quality = render_look.with_even_sky(self.quality)
         sampled = sorted(set(np.linspace(0, series.frames - 1, 6).astype(int)))
         self.domain = domain = render_scene.Domain(series, sampled)
         self.bodies = None
-        if not options.no_objects and series.object_names:
-            by_name = {item["name"]: item for item in series.scene["objects"]}
-            self.bodies = Bodies(folder, domain, [by_name[name] for name in series.object_names])
+        objects = series.scene.get("objects") or []
+        if objects and not options.no_objects:
+            if series.has_objects:
+                self.bodies = Bodies(folder, domain, objects)
+            elif not all(is_ground(item) for item in objects):
+                print(f"note: {series.file} does not say where its objects are: they are left out", file=sys.stderr)
         visible = domain.corners()
         if self.bodies:
             boxes = [domain.local(self.bodies.boxes(series.objects(frame))) for frame in sampled]
@@ -78,7 +83,7 @@ class Renderer:
             colours = plt.get_cmap(COLOURED[self.options.colour][1])(self.values(frame) / largest)[..., :3]
             parts.append(render_scene.colour_map(self.folder, name, self.domain, colours))
         shows_particles = self.options.show == "particles"
-        spacing = self.series.particle_spacing if shows_particles else 0.0
+        spacing = number(self.series.scene["particles"]["spacing"]) if shows_particles else 0.0
         parts.append(render_scene.sand(self.folder, name, self.domain, depth, lowered=spacing))
         if shows_particles:
             positions, ids = self.series.particles(frame)
@@ -98,6 +103,11 @@ class Renderer:
         if not self.options.colour:
             return None
         return max(max(float(np.percentile(self.values(frame), 99.8)) for frame in frames), 1e-9)
+
+
+def is_ground(item):
+    """Whether an object of a scene is part of the terrain, and drawn with it."""
+    return item.get("coupling") == "solid" and item.get("motion", {}).get("type", "fixed") == "fixed"
 
 
 class Coloured:

@@ -13,6 +13,7 @@ GRAINS = {"sand": ((174, 143, 103), (210, 183, 143), (236, 218, 187)),
           "snow": ((222, 230, 241), (237, 242, 250), (250, 252, 255))}
 GRAIN = 1.25               # [pixels] size of a grain where the camera looks at: finer ones would not be seen
 BUMPS = {"sand": 0.45, "snow": 0.2}
+DIFFUSE = {"sand": 0.95, "snow": 0.75}
 SIDE_DARKER = 0.92         # cut faces beside the surface
 BOARD = (190, 190, 188)
 ROCK = ((104, 98, 92), (128, 121, 113), (150, 143, 134))
@@ -88,7 +89,7 @@ def light(camera, quality, even=False):
             place = 100 * np.asarray(place) / np.linalg.norm(place)
             text += f"light_source {{ {vector(place)} rgb {sky} * {share} shadowless parallel point_at 0 }}\n"
     return text + f"""sky_sphere {{ pigment {{ gradient z color_map {{
-  [0 rgb <0.93, 0.95, 0.97> * 0.8] [0.5 rgb <0.62, 0.75, 0.92> * 0.8] }} }} }}
+  [0 rgb 0.95] [0.5 rgb <0.62, 0.75, 0.92> * 0.8] }} }} }}
 plane {{ z, 0.001 pigment {{ rgb {1.2 if even else 0.86} }} }}"""
 
 
@@ -97,9 +98,9 @@ def materials(grains, grain):
     dark, middle, bright = GRAINS[grains]
     sand = """#declare {name} = texture {{
   pigment {{ granite scale {patches:.6g} color_map {{ [0.1 {dark}] [0.42 {middle}] [0.6 {middle}] [0.9 {bright}] }} }}
-  normal {{ bumps {bumps} scale {grain:.6g} }} finish {{ diffuse 0.95 }} }}
+  normal {{ bumps {bumps} scale {grain:.6g} }} finish {{ diffuse {diffuse} }} }}
 """
-    text = "".join(sand.format(name=name, patches=3 * grain, grain=grain, bumps=BUMPS[grains], dark=srgb(dark, factor),
+    text = "".join(sand.format(name=name, patches=3 * grain, grain=grain, bumps=BUMPS[grains], diffuse=DIFFUSE[grains], dark=srgb(dark, factor),
                                middle=srgb(middle, factor), bright=srgb(bright, factor))
                    for name, factor in (("Sand", 1.0), ("SandSide", SIDE_DARKER)))
     low, middle, high = map(srgb, ROCK)

@@ -16,26 +16,27 @@ class Bodies:
     """The objects of a result: their solids are declared once, and placed in every frame. Raises ValueError."""
 
     def __init__(self, folder, domain, objects):
-        """`objects` are those of the scene that have poses, in the order of the poses."""
+        """`objects` are those of the resolved scene."""
         self.folder = folder
         self.reach = 2 * domain.span               # [m] where half spaces end
         self.placement = domain.placement()
         self.functions = []                        # of level sets
         solids = [solid(item["shape"], self) for item in objects]
+        self.names = {item["name"]: k for k, item in enumerate(objects)}
         self.corners = [corners for _, corners in solids]
         self.text = "\n".join([*self.functions, *(
             f"#declare Body{k} = object {{ {body} {material(item['shape'], k)} }}"
             for k, (item, (body, _)) in enumerate(zip(objects, solids)))]) + "\n"
 
     def placed(self, poses):
-        """The text of the bodies that are there; a pose is (position [m], quaternion), or None for one that is not."""
-        return "".join(f"object {{ Body{k} {matrix(rotation_matrix(pose[1]), pose[0])} {self.placement} }}\n"
-                       for k, pose in enumerate(poses) if pose is not None)
+        """The text of the bodies that are there; poses: {name: (position [m], rotation matrix)}."""
+        return "".join(f"object {{ Body{self.names[name]} {matrix(turn, position)} {self.placement} }}\n"
+                       for name, (position, turn) in poses.items())
 
     def boxes(self, poses):
         """Corners of boxes around the bodies that are there (n, 3) [m]."""
-        return np.concatenate([np.empty((0, 3)), *(corners @ rotation_matrix(pose[1]).T + pose[0]
-                                                   for corners, pose in zip(self.corners, poses) if pose is not None)])
+        return np.concatenate([np.empty((0, 3)), *(self.corners[self.names[name]] @ turn.T + position
+                                                   for name, (position, turn) in poses.items())])
 
 
 def material(shape, k):

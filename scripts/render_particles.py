@@ -35,5 +35,5 @@ def particles(domain, positions, ids, radius, grains):
 def tone_colours(grains):
     """(TONES, 3) in 0..255 from dark to light grains; lighter than the surface, for spheres shade each other."""
     dark, _, light = (np.array(colour, dtype=float) for colour in GRAINS[grains])
-    share = np.linspace(0, 1, TONES)[:, None]
-    return np.clip(dark * (1 - share) + 1.12 * light * share, 0, 255)
+    share = np.linspace(0.15, 0.95, TONES)[:, None]
+    return np.clip(1.1 * (dark * (1 - share) + light * share), 0, 255)

@@ -78,21 +78,19 @@ def refine(field):
     return field
 
 
-def drawn_depth(depth, clip):
-    """Depth of the sand as it is drawn: negative where it is below `clip`, going on with the slope of the sand beside.
-
-    So the edge of a heap runs smoothly between the cells. (y, x) [m]
+def drawn_surface(bed, depth, clip):
+    """The surface of the sand, (y, x) [m]. Where the depth is below `clip` it goes on with the slope of the sand beside,
+    under the ground: so the edge of a heap runs smoothly between the cells, and no sand hangs on a cliff.
     """
     dry = depth < clip
-    padded = np.pad(np.where(dry, np.nan, depth), 2, mode="edge")
+    surface = bed + np.minimum(depth, 2 * (depth - clip))
+    padded = np.pad(np.where(dry, np.nan, surface), 2, mode="edge")
     near = [padded[2:-2, 3:-1], padded[2:-2, 1:-3], padded[3:-1, 2:-2], padded[1:-3, 2:-2]]
     far = [padded[2:-2, 4:], padded[2:-2, :-4], padded[4:, 2:-2], padded[:-4, 2:-2]]
-    steps = np.array([2 * n - f for n, f in zip(near, far)])              # NaN where there is no slope to go on with
-    count = np.count_nonzero(np.isfinite(steps), axis=0)
-    onward = np.nansum(steps, axis=0) / np.maximum(count, 1)
-    # Sand does not reach the middle of a dry cell, and dives no further than a few clips.
-    onward = np.clip(np.where(count > 0, onward, -2 * clip), -10 * clip, -0.2 * clip)
-    return np.where(dry, onward, np.minimum(depth, 2 * (depth - clip)))
+    onward = np.array([2 * n - f for n, f in zip(near, far)])              # NaN where there is no slope to go on with
+    count = np.count_nonzero(np.isfinite(onward), axis=0)
+    under = np.where(count > 0, np.nansum(onward, axis=0) / np.maximum(count, 1), bed - 2 * clip)
+    return np.where(dry, np.minimum(under, bed - 0.2 * clip), surface)
 
 
 def ground(folder, domain):
@@ -105,8 +103,8 @@ def ground(folder, domain):
 
 def sand(folder, name, domain, depth, lowered=0.0):
     """The text of the sand and its file NAME.pgm; `depth` (y, x) [m]; lowered [m] by what lies on it."""
-    depth = drawn_depth(rows(depth) - lowered, domain.clip)
-    surface, bed = refine(domain.bed + depth), refine(domain.bed)
+    surface = refine(drawn_surface(domain.bed, rows(depth) - lowered, domain.clip))
+    bed = refine(domain.bed)
     if not np.any(surface > bed):
         return ""
     return (height_field(folder, name, domain, surface, "Sand")

@@ -98,12 +98,16 @@ class Series:
     def objects(self, frame):
         """Objects that are there at a frame: {name: (position (3) [m], rotation matrix (3, 3))}; a point p of an object
         is at position + rotation @ p in the scene."""
-        if "object_name" not in self._h5:
+        if not self.has_objects:
             return {}
         index = self._index(frame)
         place = zip(self._h5["object_name"][:], self._h5["object_present"][index], self._h5["object_position"][index],
                     self._h5["object_rotation"][index])
         return {_text(name): (position, _rotation(*quaternion)) for name, there, position, quaternion in place if there}
+
+    @property
+    def has_objects(self):
+        return "object_name" in self._h5
 
     @property
     def has_particles(self):
