@@ -12,7 +12,7 @@ class Movie:
     """
 
     def __init__(self, path, rate):
-        require("ffmpeg", "ffmpeg")
+        require("ffmpeg", "writes movies")
         path.parent.mkdir(parents=True, exist_ok=True)
         self.path, self.rate, self.encoder = path, rate, None
 
@@ -34,8 +34,8 @@ class Movie:
 
     def _start(self, shape):
         height, width, channels = shape
-        command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", {3: "rgb24", 4: "rgba"}[channels],
-                   "-s", f"{width}x{height}", "-r", f"{self.rate:g}", "-i", "-", "-vf",
-                   "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "20",
-                   str(self.path)]
+        command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo",
+                   "-pix_fmt", {3: "rgb24", 4: "rgba"}[channels], "-s", f"{width}x{height}", "-r", f"{self.rate:g}",
+                   "-i", "-", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264",
+                   "-pix_fmt", "yuv420p", "-crf", "20", str(self.path)]
         return subprocess.Popen(command, stdin=subprocess.PIPE)

@@ -1,10 +1,9 @@
 #!/usr/bin/python3
 """Draws a 2-D result as a shaded height field: one frame as a PNG, or all frames as an MP4."""
 
-import subprocess
-
 import numpy as np
 
+from movies import Movie
 from plotting import arguments, plt, save, shaded, show_field
 from sandsim_series import Series
 
@@ -31,24 +30,17 @@ def caption(series, frame):
 
 
 def write_movie(series, path, largest, exaggeration, rate):
-    """Frames go to ffmpeg as raw pictures, padded to even sizes, which H.264 in yuv420p needs."""
     figure, image, title = draw(series, 0, largest, exaggeration)
     figure.canvas.draw()
     figure.set_layout_engine("none")     # the layout stays that of the first frame
-    width, height = figure.canvas.get_width_height()
-    command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{width}x{height}",
-               "-r", str(rate), "-i", "-", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264",
-               "-pix_fmt", "yuv420p", "-crf", "22", str(path)]
-    with subprocess.Popen(command, stdin=subprocess.PIPE) as encoder:
+    with Movie(path, rate) as movie:
         for frame in range(series.frames):
             image.set_data(shaded(series.surface(frame).astype(float), series.depth(frame).astype(float),
                                   series.spacing, largest, exaggeration))
             title.set_text(caption(series, frame))
             figure.canvas.draw()
-            encoder.stdin.write(figure.canvas.buffer_rgba())
+            movie.add(np.asarray(figure.canvas.buffer_rgba()))
     plt.close(figure)
-    if encoder.returncode:
-        raise SystemExit(f"ffmpeg ended with {encoder.returncode}")
     print(path)
 
 

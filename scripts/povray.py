@@ -11,11 +11,10 @@ class RenderError(Exception):
     """POV-Ray refused a scene."""
 
 
-def require(program, package):
-    """Ends with what to install if a program is not there."""
+def require(program, purpose):
+    """Ends with what to install if a program is not there; its package has the same name."""
     if shutil.which(program) is None:
-        raise SystemExit(f"error: {program} is missing, which draws the pictures. "
-                         f"Debian and Ubuntu have it: sudo apt-get install {package}")
+        raise SystemExit(f"error: {program} is missing, which {purpose}. Install it: sudo apt-get install {program}")
 
 
 def trace(folder, name, scene, size, options=(), threads=None):
@@ -23,7 +22,7 @@ def trace(folder, name, scene, size, options=(), threads=None):
     width, height = size
     (folder / f"{name}.pov").write_text(scene)
     command = ["povray", f"+I{name}.pov", f"+O{name}.png", "+FN", f"+W{width}", f"+H{height}", "-D", "-GA", "+GF",
-               "+HR", *options]                     # +HR: radiosity with the same bits on any number of threads
+               *options]
     if threads:
         command.append(f"+WT{threads}")
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)

@@ -31,6 +31,8 @@ from render_objects import Bodies, number
 from render_particles import RADIUS, particles
 from sandsim_series import Series
 
+# Short runs of POV-Ray spend half of their time asleep: two for each processor.
+WORKERS = 2 * len(os.sched_getaffinity(0))
 COLOURED = {"depth": ("depth of sand h [m]", "viridis"), "speed": ("speed of sand [m/s]", "YlOrRd")}
 BAR_WIDTH, TITLE_HEIGHT = 110, 34          # [pixels] beside and above a coloured picture
 PANELS_IN_A_ROW = 3
@@ -74,7 +76,14 @@ class Renderer:
             render_look.materials(options.sand, grain),
             render_scene.ground(folder, domain), self.bodies.text if self.bodies else ""])
 
-    def picture(self, frame, largest=None, threads=None):
+    def pictures(self, frames, largest):
+        """Pictures of frames in their order, several at a time."""
+        # Which of radiosity's samples are there to share depends on the threads: with one, pictures keep their bits.
+        one = len(frames) > 1 or self.quality.radiosity
+        with ThreadPoolExecutor(WORKERS) as pool:
+            yield from pool.map(lambda frame: self.picture(frame, largest, threads=1 if one else None), frames)
+
+    def picture(self, frame, largest=None, threads=1):
         """(height, width, 3) uint8; `largest` is the value at the end of the colours."""
         name = f"frame{frame}"
         parts = [self.static]
@@ -143,12 +152,12 @@ class Coloured:
 def draw_stills(renderer, frames, path):
     """One picture, or panels of several, left to right and down."""
     largest = renderer.largest(frames)
-    pictures = [renderer.picture(frame, largest) for frame in frames]
+    pictures = list(renderer.pictures(frames, largest))
     if renderer.options.colour:
         decoration = Coloured(renderer.series, renderer.options.colour, largest)
         pictures = [decoration.around(picture, frame) for picture, frame in zip(pictures, frames)]
     path.parent.mkdir(parents=True, exist_ok=True)
-    plt.imsave(path, panels(pictures))
+    plt.imsave(path, panels(pictures), pil_kwargs={"quality": 88} if path.suffix == ".jpg" else None)
     print(path)
 
 
@@ -165,15 +174,13 @@ def panels(pictures):
 
 
 def draw_movie(renderer, path, rate):
-    """All frames, as many at a time as there are processors."""
+    """All frames."""
     series = renderer.series
     largest = renderer.largest(sorted(set(np.linspace(0, series.frames - 1, 12).astype(int))))
     decoration = Coloured(series, renderer.options.colour, largest) if renderer.options.colour else None
-    workers = len(os.sched_getaffinity(0))
     started = time.monotonic()
-    with Movie(path, rate) as movie, ThreadPoolExecutor(workers) as pool:
-        pictures = pool.map(lambda frame: renderer.picture(frame, largest, threads=1), range(series.frames))
-        for frame, picture in enumerate(pictures):
+    with Movie(path, rate) as movie:
+        for frame, picture in enumerate(renderer.pictures(range(series.frames), largest)):
             movie.add(decoration.around(picture, frame) if decoration else picture)
             progress(frame + 1, series.frames, time.monotonic() - started)
     print(path)
@@ -215,12 +222,14 @@ def parser():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("result", type=Path, help="result folder or series.h5")
     result.add_argument("-o", "--output", type=Path, metavar="FILE",
-                        help=".png or .mp4 (default: render.png or render.mp4 beside the result)")
+                        help=".png, .jpg or .mp4 (default: render.png or render.mp4 beside the result)")
     what = result.add_argument_group("what is drawn")
-    what.add_argument("--time", type=float, nargs="+", metavar="T", help="frames nearest to these times [s], side by side")
+    what.add_argument("--time", type=float, nargs="+", metavar="T",
+                      help="frames nearest to these times [s], side by side")
     what.add_argument("--movie", action="store_true", help="all frames; so does -o FILE.mp4")
     what.add_argument("--fps", type=positive, metavar="N", help="frames a second of the movie (default: real time)")
-    what.add_argument("--show", choices=("surface", "particles"), default="surface", help="sand as surface or particles")
+    what.add_argument("--show", choices=("surface", "particles"), default="surface",
+                      help="sand as its surface, or with its particles on it")
     what.add_argument("--sand", choices=tuple(render_look.GRAINS), default="sand", help="what it looks like")
     what.add_argument("--colour", choices=tuple(COLOURED), help="colours and a bar instead of sand's own look")
     what.add_argument("--no-objects", action="store_true", help="leave objects out")
@@ -238,18 +247,21 @@ def parser():
     return result
 
 
-def main():
-    options = parser().parse_args()
+def main(arguments=None):
+    options = parser().parse_args(arguments)
     movie = options.movie or (options.output is not None and options.output.suffix == ".mp4")
-    suffix = ".mp4" if movie else ".png"
-    if options.output is not None and options.output.suffix != suffix:
-        raise SystemExit(f"error: {options.output}: a {'movie' if movie else 'picture'} is written as {suffix}")
+    suffixes = (".mp4",) if movie else (".png", ".jpg")
+    if options.output is not None and options.output.suffix not in suffixes:
+        raise SystemExit(f"error: {options.output}: a {'movie' if movie else 'picture'} is written as "
+                         f"{' or '.join(suffixes)}")
     if movie and options.time:
         raise SystemExit("error: --time chooses frames of a picture; a movie has all of them")
-    povray.require("povray", "povray")
+    povray.require("povray", "draws the pictures")
+    if movie:
+        povray.require("ffmpeg", "writes movies")
     try:
         with Series(options.result) as series, tempfile.TemporaryDirectory(prefix="render_") as folder:
-            output = options.output or series.directory / f"render{suffix}"
+            output = options.output or series.directory / f"render{suffixes[0]}"
             renderer = Renderer(series, options, Path(folder))
             if movie:
                 draw_movie(renderer, output, options.fps or play_rate(series))

@@ -53,15 +53,15 @@ def srgb(colour, factor=1.0):
 
 
 def with_even_sky(quality):
-    """For crowds of small things, in each of whose corners light from the sky would have to be found."""
+    """Without shadows from the sky: for crowds of small things, in whose every gap it would have to be found."""
     return replace(quality, radiosity="")
 
 
 def settings(camera, quality):
     radiosity = ""
     if quality.radiosity:
-        radiosity = ("radiosity { pretrace_start 0.08 pretrace_end 0.01 recursion_limit 1 gray_threshold 0.3 "
-                     f"{quality.radiosity} }}")
+        radiosity = ("radiosity { pretrace_start 0.08 pretrace_end 0.01 recursion_limit 1 always_sample off "
+                     f"gray_threshold 0.3 {quality.radiosity} }}")
     return f"""#version 3.7;
 global_settings {{ assumed_gamma 1 max_trace_level 4 {radiosity} }}
 #default {{ finish {{ ambient 0 emission 0 diffuse 1 }} }}
@@ -97,11 +97,12 @@ def materials(grains, grain):
     """Sand, SandSide, Board and Rock; `grain` is the size of a grain, a little more than a pixel."""
     dark, middle, bright = GRAINS[grains]
     sand = """#declare {name} = texture {{
-  pigment {{ granite scale {patches:.6g} color_map {{ [0.1 {dark}] [0.42 {middle}] [0.6 {middle}] [0.9 {bright}] }} }}
+  pigment {{ granite scale {patches:.6g}
+    color_map {{ [0.1 {dark}] [0.42 {middle}] [0.6 {middle}] [0.9 {bright}] }} }}
   normal {{ bumps {bumps} scale {grain:.6g} }} finish {{ diffuse {diffuse} }} }}
 """
-    text = "".join(sand.format(name=name, patches=3 * grain, grain=grain, bumps=BUMPS[grains], diffuse=DIFFUSE[grains], dark=srgb(dark, factor),
-                               middle=srgb(middle, factor), bright=srgb(bright, factor))
+    text = "".join(sand.format(name=name, patches=3 * grain, grain=grain, bumps=BUMPS[grains], diffuse=DIFFUSE[grains],
+                               dark=srgb(dark, factor), middle=srgb(middle, factor), bright=srgb(bright, factor))
                    for name, factor in (("Sand", 1.0), ("SandSide", SIDE_DARKER)))
     low, middle, high = map(srgb, ROCK)
     return text + f"""#declare Board = texture {{ pigment {{ {srgb(BOARD)} }} }}

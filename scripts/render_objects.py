@@ -90,7 +90,7 @@ def matrix(turn, position):
 
 
 def solid(shape, bodies):
-    """A shape in the frame of its body [m]: POV-Ray's object without its texture, and corners of boxes around it (n, 3)."""
+    """A shape in its body's frame [m]: POV-Ray's object without its texture, and corners of boxes around it (n, 3)."""
     text, corners = SHAPES[shape["type"]](shape, bodies)
     turn, position = turned(shape.get("rotation")), numbers(shape.get("position", (0, 0, 0)))
     return f"{text} {matrix(turn, position)} }}", corners @ turn.T + position
@@ -160,8 +160,11 @@ def csg(shape, bodies):
 
 
 def mesh_file(shape, _):
-    import meshio                       # only scenes with meshes need it
-
+    try:
+        import meshio                   # only scenes with meshes need it
+    except ImportError:
+        raise ValueError("meshio is missing, which reads meshes of objects. Install it: "
+                         "sudo apt-get install python3-meshio") from None
     try:
         read = meshio.read(shape["file"])
     except (OSError, meshio.ReadError) as error:
@@ -181,13 +184,14 @@ def level_set(shape, bodies):
     (bodies.folder / f"{name}.df3").write_bytes(count.astype(">u2").tobytes() + levels.tobytes())
     bodies.functions.append(
         f'#declare {name} = function {{ pattern {{ density_file df3 "{name}.df3" interpolate 1 }} }}')
-    # Sample k lies at k / n of POV-Ray's unit cube.
+    # Sample k lies at k / n of POV-Ray's unit cube; beyond the last one it would go on with the first.
     size = spacing * count
     steepest = 1.5 * size.max() / (2 * band)
-    text = (f"isosurface {{ function {{ {name}(x, y, z) - 0.5 }} contained_by {{ box {{ 0, {vector(1 - 1 / count)} }} }} "
+    text = (f"isosurface {{ function {{ {name}(x, y, z) - 0.5 }} "
+            f"contained_by {{ box {{ {vector(0.01 / count)}, {vector(1 - 1.01 / count)} }} }} "
             f"accuracy 0.0005 max_gradient {steepest:.6g} scale {vector(size)} translate {vector(origin)}")
-    inside = np.argwhere(distance < 0)[:, ::-1]
-    return text, origin + spacing * box_corners(inside.min(axis=0), inside.max(axis=0))
+    inside = np.argwhere(distance < 0)[:, ::-1]             # the surface lies within a sample of these
+    return text, origin + spacing * box_corners(inside.min(axis=0) - 1, inside.max(axis=0) + 1)
 
 
 def read_distance(shape):

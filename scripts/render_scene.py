@@ -79,8 +79,10 @@ def refine(field):
 
 
 def drawn_surface(bed, depth, clip):
-    """The surface of the sand, (y, x) [m]. Where the depth is below `clip` it goes on with the slope of the sand beside,
-    under the ground: so the edge of a heap runs smoothly between the cells, and no sand hangs on a cliff.
+    """The surface of the sand, (y, x) [m].
+
+    Where the depth is below `clip` it goes on with the slope of the sand beside, under the ground: so the edge of a
+    heap runs smoothly between the cells, and no sand hangs on a cliff.
     """
     dry = depth < clip
     surface = bed + np.minimum(depth, 2 * (depth - clip))

@@ -8,7 +8,10 @@ python=/usr/bin/python3                # Debian's own: it sees the python3-* pac
 run_packages=(cmake ninja-build g++ git libyaml-cpp-dev libcli11-dev libhdf5-dev libfmt-dev libspdlog-dev
               libnlopt-dev libnlopt-cxx-dev
               python3 python3-numpy python3-matplotlib python3-h5py python3-yaml ffmpeg)
-test_packages=(catch2 python3-scipy python3-xarray python3-h5netcdf python3-netcdf4 python3-jsonschema
+# The ray tracer of scripts/render, and the reader of meshes that stand in its pictures.
+figure_packages=(povray python3-meshio)
+test_packages=("${figure_packages[@]}" catch2
+               python3-scipy python3-xarray python3-h5netcdf python3-netcdf4 python3-jsonschema
                munge slurmctld slurmd slurm-client)
 # Clang is there for the fuzz targets: the release whose C++20 goes with the system's standard library.
 clang_debian=(clang-14 libclang-rt-14-dev libomp-14-dev)
@@ -27,10 +30,11 @@ system_name() {
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
-# install_missing run|test: installs what is not there yet; without anything missing it calls no apt.
+# install_missing run|figures|test: installs what is not there yet; without anything missing it calls no apt.
 install_missing() {
   local system wanted=("${run_packages[@]}") missing=() package
   system="$(system_name)"
+  if [ "$1" = figures ]; then wanted+=("${figure_packages[@]}"); fi
   if [ "$1" = test ]; then
     wanted+=("${test_packages[@]}")
     case "$system" in
