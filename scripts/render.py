@@ -36,7 +36,7 @@ WORKERS = 2 * len(os.sched_getaffinity(0))
 COLOURED = {"depth": ("depth of sand h [m]", "viridis"), "speed": ("speed of sand [m/s]", "YlOrRd")}
 BAR_WIDTH, TITLE_HEIGHT = 110, 34          # [pixels] beside and above a coloured picture
 PANELS_IN_A_ROW = 3
-MOST_HEADROOM = 0.3                        # [longer sides] room above the sand for objects
+MOST_HEADROOM = 30                         # [units of the scene] room above the sand for objects
 GAP = 6                                    # [pixels] between panels
 
 
@@ -68,7 +68,7 @@ class Renderer:
         width, height = options.size
         self.camera = framed(visible, options.view, width / height, options.zoom,
                              None if options.look_at is None else domain.local(options.look_at),
-                             None if options.distance is None else options.distance / domain.span)
+                             None if options.distance is None else options.distance * domain.scale)
         grain = render_look.GRAIN * self.camera.pixel(width)
         self.static = "\n".join([
             render_look.settings(self.camera, self.quality),

@@ -6,6 +6,7 @@ import numpy as np
 
 SUN_HEIGHT = 33            # [deg] low enough that relief casts shadows
 SUN_TURN = -118            # [deg] from the camera's azimuth: from the left and somewhat behind
+FAR = 1e4                  # [units of the scene] of lights
 SUN_RADIUS = 2.2           # [deg] seen from the sand: shadows are as soft as under a lamp
 
 # sRGB in 0..255: dark, middle and light grains.
@@ -35,9 +36,9 @@ class Quality:
 
 QUALITIES = {
     "draft": Quality("", 1, ("+A0.3", "+AM1", "+R2")),
-    "good": Quality("count 70 error_bound 0.7 nearest_count 5 low_error_factor 0.7 minimum_reuse 0.012", 5,
+    "good": Quality("pretrace_end 0.01 count 70 error_bound 0.7 nearest_count 5 low_error_factor 0.7 minimum_reuse 0.012", 5,
                     ("+A0.3", "+AM1", "+R2")),
-    "best": Quality("count 300 error_bound 0.35 nearest_count 10 low_error_factor 0.5 minimum_reuse 0.006", 9,
+    "best": Quality("pretrace_end 0.005 count 200 error_bound 0.5 nearest_count 8 low_error_factor 0.6 minimum_reuse 0.01", 9,
                     ("+A0.06", "+AM2", "+R3")),
 }
 
@@ -60,7 +61,7 @@ def with_even_sky(quality):
 def settings(camera, quality):
     radiosity = ""
     if quality.radiosity:
-        radiosity = ("radiosity { pretrace_start 0.08 pretrace_end 0.01 recursion_limit 1 always_sample off "
+        radiosity = ("radiosity { pretrace_start 0.08 recursion_limit 1 always_sample off "
                      f"gray_threshold 0.3 {quality.radiosity} }}")
     return f"""#version 3.7;
 global_settings {{ assumed_gamma 1 max_trace_level 4 {radiosity} }}
@@ -77,20 +78,20 @@ def light(camera, quality, even=False):
     colour, sky = ("0.75", "<1, 1, 1> * 0.65") if even else ("<1.0, 0.955, 0.885> * 1.42", "<0.93, 0.97, 1.03>")
     area = ""
     if quality.sun_samples > 1:
-        across = 200 * np.tan(np.radians(SUN_RADIUS))
+        across = 2 * FAR * np.tan(np.radians(SUN_RADIUS))
         area = (f"area_light x * {across:.4g}, y * {across:.4g}, {quality.sun_samples}, {quality.sun_samples} "
                 "adaptive 1 circular orient")
-    text = f"light_source {{ {vector(100 * sun)} rgb {colour} {area} parallel point_at 0 }}\n"
+    text = f"light_source {{ {vector(FAR * sun)} rgb {colour} {area} parallel point_at 0 }}\n"
     if not quality.radiosity:
         # An even sky: from above, from where the camera stands, and from where the sun does not reach.
         away = camera.location - camera.look_at
         for place, share in (((0, 0, 1), 0.34), ((away[0], away[1], 0.35 * np.hypot(*away[:2])), 0.36),
                              ((-sun[0], -sun[1], 0.35), 0.32)):
-            place = 100 * np.asarray(place) / np.linalg.norm(place)
+            place = FAR * np.asarray(place) / np.linalg.norm(place)
             text += f"light_source {{ {vector(place)} rgb {sky} * {share} shadowless parallel point_at 0 }}\n"
     return text + f"""sky_sphere {{ pigment {{ gradient z color_map {{
   [0 rgb 0.95] [0.5 rgb <0.62, 0.75, 0.92> * 0.8] }} }} }}
-plane {{ z, 0.001 pigment {{ rgb {1.2 if even else 0.86} }} }}"""
+plane {{ z, 0.1 pigment {{ rgb {1.2 if even else 0.86} }} }}"""
 
 
 def materials(grains, grain):

@@ -27,9 +27,9 @@ def particles(domain, positions, ids, radius, grains):
     for tone in range(TONES):
         own = places[tones == tone]
         if own.size:
-            spheres = b"sphere{<%.6f,%.6f,%.6f>,R}\n" * len(own) % tuple(own.ravel().tolist())
+            spheres = b"sphere{<%.5f,%.5f,%.5f>,R}\n" * len(own) % tuple(own.ravel().tolist())
             text.append(f"union {{\n{spheres.decode()}pigment {{ {srgb(colours[tone])} }} }}\n")
-    return f"#declare R = {radius / domain.span:.9g};\n" + "".join(text)
+    return f"#declare R = {radius * domain.scale:.9g};\n" + "".join(text)
 
 
 def tone_colours(grains):

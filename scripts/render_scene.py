@@ -1,7 +1,7 @@
 """Sand and ground of a result for POV-Ray: height fields with cut sides, which POV-Ray reads in milliseconds.
 
-Lengths in its scene are in units of the domain's longer side, from the middle of its floor, so that a sand box and a
-mountain come to the same numbers. z is up.
+Lengths in its scene are hundredths of the domain's longer side, from the middle of its floor, so that a sand box and a
+mountain come to the same numbers, and these are large beside POV-Ray's tolerance of 1e-3. z is up.
 """
 
 from itertools import product
@@ -16,6 +16,9 @@ CLIP = 0.1                     # [cells]
 ROW_WIDTH = 0.2                # a scene of one row of cells is drawn as a flume this wide, in parts of its length
 PLINTH = 0.035                 # thickness of the board under the lowest ground, in parts of the longer side
 
+UNITS = 100                    # of the scene, along the longer side
+INSET = 0.3                    # [units] of the core of the block behind its sides
+
 
 class Domain:
     """The block of ground and sand that is drawn, the same for all frames of a result."""
@@ -27,6 +30,7 @@ class Domain:
             south, north = 0.0, ROW_WIDTH * (east - west)
         self.sides = (west, east, south, north)                                       # [m]
         self.span = max(east - west, north - south)                                   # [m]
+        self.scale = UNITS / self.span                                                # [units/m]
         self.clip = CLIP * series.spacing                                             # [m]
         self.bed = rows(series.bed.astype(float))                                     # (y, x) [m]
         surfaces = [self.bed, *(series.surface(frame).astype(float) for frame in frames)]
@@ -44,11 +48,11 @@ class Domain:
 
     def local(self, points):
         """Points of the result [m] (..., 3) in the scene's units."""
-        return (np.asarray(points, dtype=float) - self.centre) / self.span
+        return (np.asarray(points, dtype=float) - self.centre) * self.scale
 
     def placement(self):
         """POV-Ray's transformation of what is given in metres."""
-        return f"translate {vector(-self.centre)} scale {1 / self.span:.9g}"
+        return f"translate {vector(-self.centre)} scale {self.scale:.9g}"
 
 
 def has_raster(scene):
@@ -99,7 +103,10 @@ def ground(folder, domain):
     """The text of the ground, and its file bed.pgm."""
     bed = refine(domain.bed)
     texture = "Rock" if domain.is_rocky else "Board"
+    # The block is hollow: a core keeps light from leaking through where its sides meet the floor.
+    core = (domain.low + INSET, [*(domain.high[:2] - INSET), domain.local([0, 0, domain.bed.min()])[2] - INSET])
     return (height_field(folder, "bed", domain, bed, texture)
+            + f"box {{ {vector(core[0])}, {vector(core[1])} texture {{ BoardSide }} }}\n"
             + sides(domain, np.full_like(bed, domain.floor), bed, texture + "Side"))
 
 
@@ -118,7 +125,7 @@ def colour_map(folder, name, domain, colours):
     povray.write_ppm(folder / f"{name}.ppm", rows(colours))
     west, east, south, north = domain.sides
     # The cut sides lie on the very edge of the map, beyond which it has no colours.
-    size = 1.001 * np.array([east - west, north - south, domain.span]) / domain.span
+    size = 1.001 * np.array([east - west, north - south, domain.span]) * domain.scale
     return f"""#declare Sand = texture {{ pigment {{ image_map {{ ppm "{name}.ppm" gamma srgb interpolate 2 once }}
   translate -0.5 scale {vector(size)} }} }}
 #declare SandSide = texture {{ Sand }}
@@ -132,7 +139,7 @@ def height_field(folder, name, domain, heights, texture):
     povray.write_pgm(folder / f"{name}.pgm", heights, low, high)
     # POV-Ray's height fields lie in the unit cube over its x-z plane.
     x, y, z = domain.local([west, south, low])
-    along_x, along_y, along_z = np.array([east - west, north - south, high - low]) / domain.span
+    along_x, along_y, along_z = np.array([east - west, north - south, high - low]) * domain.scale
     return f"""height_field {{ pgm "{name}.pgm" smooth
   matrix <{along_x:.9g},0,0, 0,0,{along_z:.9g}, 0,{along_y:.9g},0, {x:.9g},{y:.9g},{z:.9g}> texture {{ {texture} }} }}
 """
