@@ -40,7 +40,7 @@ SHAPE_EXAMPLES = {
 def write_result(path, depth, objects=(), poses=(), particles=None, velocity=None):
     """A series.h5 of the square: depth (time, y, x) [m], poses {name: (position, quaternion)} for every frame."""
     frames = len(depth)
-    scene = {"objects": list(objects), "particles": {"spacing": "0.05 m"}}
+    scene = {"objects": list(objects), "particles": {"spacing": "0.05 m", "layers": 1}}
     with h5py.File(path, "w") as file:
         file["time"] = 0.1 * np.arange(frames)
         file["x"] = file["y"] = 0.05 * (np.arange(CELLS) + 0.5)

@@ -91,12 +91,13 @@ class Renderer:
         if self.options.colour:
             colours = plt.get_cmap(COLOURED[self.options.colour][1])(self.values(frame) / largest)[..., :3]
             parts.append(render_scene.colour_map(self.folder, name, self.domain, colours))
-        shows_particles = self.options.show == "particles"
-        spacing = number(self.series.scene["particles"]["spacing"]) if shows_particles else 0.0
-        parts.append(render_scene.sand(self.folder, name, self.domain, depth, lowered=spacing))
-        if shows_particles:
+        layers = 0.0
+        if self.options.show == "particles":
+            spacing = number(self.series.scene["particles"]["spacing"])
+            layers = spacing * self.series.scene["particles"]["layers"]
             positions, ids = self.series.particles(frame)
             parts.append(particles(self.domain, positions, ids, RADIUS * spacing, self.options.sand))
+        parts.append(render_scene.sand(self.folder, name, self.domain, depth, lowered=layers))
         if self.bodies:
             parts.append(self.bodies.placed(self.series.objects(frame)))
         return povray.trace(self.folder, name, "\n".join(parts), self.options.size, self.quality.options, threads)

@@ -111,7 +111,7 @@ def ground(folder, domain):
 
 
 def sand(folder, name, domain, depth, lowered=0.0):
-    """The text of the sand and its file NAME.pgm; `depth` (y, x) [m]; lowered [m] by what lies on it."""
+    """The text of the sand and its file NAME.pgm; `depth` (y, x) [m]; lowered [m] by what is drawn on it."""
     surface = refine(drawn_surface(domain.bed, rows(depth) - lowered, domain.clip))
     bed = refine(domain.bed)
     if not np.any(surface > bed):
