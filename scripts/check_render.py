@@ -188,9 +188,10 @@ class Pictures(unittest.TestCase):
         np.testing.assert_array_equal(bare, thin)
 
     def test_the_same_result_gives_the_same_bits(self):
-        path = self.with_body({"type": "box", "size": ["0.2 m", "0.2 m", "0.2 m"]}, [0.5, 0.5, 0.2])
+        body = {"name": "body", "shape": {"type": "box", "size": ["0.2 m", "0.2 m", "0.2 m"]}}
+        path = self.result(np.repeat(self.level, 2, axis=0), [body], 2 * [{"body": ((0.5, 0.5, 0.2), (1, 0, 0, 0))}])
         pictures = []
-        for times in ([], ["--time", "0", "0"]):
+        for times in ([], ["--time", "0", "0.1"]):
             self.call(path, "--size", "120x80", *times, "-o", self.folder / "still.png")
             pictures.append(plt.imread(self.folder / "still.png"))
         for again in (pictures[1][:, :120], pictures[1][:, -120:]):        # the two were drawn at the same time
@@ -243,6 +244,7 @@ class Pictures(unittest.TestCase):
                                  ([path, "--size", "large"], "960x540"),
                                  ([self.folder / "nothing"], "nothing"),
                                  ([path, "--show", "particles"], "particles:"),
+                                 ([path, "--view", "0", "-5"], "0 to 90"),
                                  ([path, "--movie", "--time", "1"], "--time")):
             self.assertIn(words, self.complaint(*arguments))
         path = self.result(self.level, [nowhere], [{"car": (np.zeros(3), (1, 0, 0, 0))}])

@@ -18,7 +18,7 @@ def require(program, purpose):
 
 
 def trace(folder, name, scene, size, options=(), threads=None):
-    """The picture of a scene: (height, width, 3) uint8. Files that it names lie in the folder; NAME.* go there too."""
+    """The picture of a scene: (height, width, 3) uint8. Files that it names lie in the folder; NAME.* are removed."""
     width, height = size
     (folder / f"{name}.pov").write_text(scene)
     command = ["povray", f"+I{name}.pov", f"+O{name}.png", "+FN", f"+W{width}", f"+H{height}", "-D", "-GA", "+GF",
@@ -29,7 +29,10 @@ def trace(folder, name, scene, size, options=(), threads=None):
     if done.returncode:
         said = [line for line in (done.stdout + done.stderr).splitlines() if "error" in line.lower()]
         raise RenderError("POV-Ray: " + ("; ".join(said) or f"it ended with {done.returncode}"))
-    return np.round(255 * plt.imread(folder / f"{name}.png")[..., :3]).astype(np.uint8)
+    picture = np.round(255 * plt.imread(folder / f"{name}.png")[..., :3]).astype(np.uint8)
+    for file in folder.glob(f"{name}.*"):          # a movie of many particles would fill the disk
+        file.unlink()
+    return picture
 
 
 def write_pgm(path, heights, low, high):

@@ -153,7 +153,9 @@ class Coloured:
 def draw_stills(renderer, frames, path):
     """One picture, or panels of several, left to right and down."""
     largest = renderer.largest(frames)
-    pictures = list(renderer.pictures(frames, largest))
+    once = sorted(set(frames))
+    drawn = dict(zip(once, renderer.pictures(once, largest)))
+    pictures = [drawn[frame] for frame in frames]
     if renderer.options.colour:
         decoration = Coloured(renderer.series, renderer.options.colour, largest)
         pictures = [decoration.around(picture, frame) for picture, frame in zip(pictures, frames)]
@@ -255,6 +257,8 @@ def main(arguments=None):
     if options.output is not None and options.output.suffix not in suffixes:
         raise SystemExit(f"error: {options.output}: a {'movie' if movie else 'picture'} is written as "
                          f"{' or '.join(suffixes)}")
+    if not 0 <= options.view[1] <= 90:
+        raise SystemExit(f"error: --view: the camera stands at an elevation of 0 to 90 deg, not {options.view[1]:g}")
     if movie and options.time:
         raise SystemExit("error: --time chooses frames of a picture; a movie has all of them")
     povray.require("povray", "draws the pictures")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 ANGLE = 30.0        # [deg] field of view across the picture: a long lens, so that little is distorted
+STEEPEST = 89.99    # [deg]
 MARGIN = 1.06       # room about what is framed
 
 
@@ -37,7 +38,8 @@ def axes(azimuth, elevation):
 
     Azimuth 0 is on the side of +x, 90 on that of +y; elevation 90 looks straight down, with +y up for azimuth -90.
     """
-    azimuth, elevation = np.radians(azimuth), np.radians(elevation)
+    # Straight down, the azimuth would be lost with which side of the picture is up.
+    azimuth, elevation = np.radians(azimuth), np.radians(np.clip(elevation, -STEEPEST, STEEPEST))
     back = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
     return right, np.cross(back, right), -back

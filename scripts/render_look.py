@@ -36,10 +36,10 @@ class Quality:
 
 QUALITIES = {
     "draft": Quality("", 1, ("+A0.3", "+AM1", "+R2")),
-    "good": Quality("pretrace_end 0.01 count 70 error_bound 0.7 nearest_count 5 low_error_factor 0.7 minimum_reuse 0.012", 5,
-                    ("+A0.3", "+AM1", "+R2")),
-    "best": Quality("pretrace_end 0.01 count 200 error_bound 0.5 nearest_count 8 low_error_factor 0.7 minimum_reuse 0.01", 9,
-                    ("+A0.1", "+AM2", "+R3")),
+    "good": Quality("pretrace_end 0.01 count 70 error_bound 0.7 nearest_count 5 low_error_factor 0.7 "
+                    "minimum_reuse 0.012", 5, ("+A0.3", "+AM1", "+R2")),
+    "best": Quality("pretrace_end 0.01 count 200 error_bound 0.5 nearest_count 8 low_error_factor 0.7 "
+                    "minimum_reuse 0.01", 9, ("+A0.1", "+AM2", "+R3")),
 }
 
 

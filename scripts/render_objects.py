@@ -11,6 +11,8 @@ from render_scene import mesh
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254}
 
+LEFT_OUT = "--no-objects leaves objects out"
+
 
 class Bodies:
     """The objects of a result: their solids are declared once, and placed in every frame. Raises ValueError."""
@@ -168,7 +170,7 @@ def mesh_file(shape, _):
     try:
         read = meshio.read(shape["file"])
     except (OSError, meshio.ReadError) as error:
-        raise ValueError(f"the mesh {shape['file']} cannot be read: {error}") from error
+        raise ValueError(f"the mesh {shape['file']} cannot be read: {error} ({LEFT_OUT})") from error
     points = UNITS[shape.get("unit", "m")] * float(shape.get("scale", 1)) * read.points
     fans = [cells.data[:, [0, k, k + 1]] for cells in read.cells for k in range(1, cells.data.shape[1] - 1)]
     return mesh(points, np.concatenate(fans)), box_corners(points.min(axis=0), points.max(axis=0))
@@ -213,7 +215,7 @@ def read_distance(shape):
             origin, spacing = [float(word) for word in words[3:6]], float(words[6])
             distance = np.array(words[7:], dtype=float).reshape([int(word) for word in words[2::-1]])
     except (OSError, KeyError) as error:
-        raise ValueError(f"the signed distance {path} cannot be read: {error}") from error
+        raise ValueError(f"the signed distance {path} cannot be read: {error} ({LEFT_OUT})") from error
     spacing = number(shape["spacing"]) if "spacing" in shape else spacing
     origin = numbers(shape["origin"]) if "origin" in shape else np.array(origin)
     scale = float(shape.get("scale", 1))
