@@ -20,7 +20,7 @@ import yaml
 import render_camera
 from plotting import ROOT
 from render import COLOURED, Renderer, main, parser
-from render_objects import SHAPES
+from render_objects import SHAPES, read_distance
 from render_particles import TONES, tones_of
 from sandsim_series import Series
 
@@ -259,6 +259,23 @@ class Pictures(unittest.TestCase):
         with contextlib.redirect_stderr(io.StringIO()) as stderr, self.assertRaises(SystemExit) as end:
             self.call(*arguments)
         return stderr.getvalue() + str(end.exception)
+
+
+class SignedDistances(unittest.TestCase):
+    def test_all_formats_give_the_same_samples_in_the_same_place(self):
+        distance = np.random.default_rng(1).random((2, 3, 4)).round(6)
+        with tempfile.TemporaryDirectory() as folder:
+            npy, h5, sdf = (Path(folder) / f"distance.{suffix}" for suffix in ("npy", "h5", "sdf"))
+            np.save(npy, distance)
+            with h5py.File(h5, "w") as file:
+                file["distance"] = distance
+                file["distance"].attrs.update(origin_x=0.1, origin_y=0.2, origin_z=0.3, spacing=0.5)
+            sdf.write_text("4 3 2\n0.1 0.2 0.3\n0.5\n" + "\n".join(map(str, distance.ravel())))
+            place = {"spacing": "0.5 m", "origin": ["0.1 m", "0.2 m", "0.3 m"]}
+            for shape in ({"file": npy, **place}, {"file": h5}, {"file": sdf}):
+                samples, origin, spacing = read_distance({**shape, "scale": 2})
+                np.testing.assert_allclose(samples, 2 * distance, rtol=1e-12)
+                np.testing.assert_allclose([*origin, spacing], [0.2, 0.4, 0.6, 1.0], rtol=1e-12)
 
 
 class WithoutPrograms(unittest.TestCase):
