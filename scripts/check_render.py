@@ -175,6 +175,16 @@ class Pictures(unittest.TestCase):
                 np.testing.assert_allclose([columns.min(), rows.min()], np.min(box, axis=0), atol=2.5)
                 np.testing.assert_allclose([columns.max() + 1, rows.max() + 1], np.max(box, axis=0), atol=2.5)
 
+    def test_a_half_space_ends_where_the_scene_does(self):
+        path = self.with_body({"type": "half_space", "normal": [-1, 0, 0]}, [0.7, 0.5, 0.1])
+        place = ["--view", "-90", "60", "--look-at", "0.5", "0.5", "0.2", "--distance", "2.6"]
+        (without, renderer), (picture, _) = self.draw([path, "--no-objects", *place], [path, *place])
+        red = picture[..., 0] > 2 * picture[..., 1]
+        x, y = projected(renderer.camera, renderer.domain.local([0.7, 0.5, 0.1]), SIZE).astype(int)
+        self.assertTrue(red[y, x + 8])                        # the sand's right end, up to the room above it
+        self.assertFalse(np.any(picture[:, :x - 8] != without[:, :x - 8]))
+        self.assertLess(red.mean(), 0.3)
+
     def write_ball(self, radius):
         along = np.linspace(-0.4, 0.4, 33)
         z, y, x = np.meshgrid(along, along, along, indexing="ij")

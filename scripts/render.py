@@ -27,8 +27,8 @@ import render_scene
 from movies import Movie
 from plotting import plt
 from render_camera import framed
-from render_objects import Bodies, number
-from render_particles import RADIUS, particles
+from render_objects import HEADROOM, Bodies, number
+from render_particles import RADIUS, particles, side_by_side
 from sandsim_series import Series
 
 # Short runs of POV-Ray spend half of their time asleep: two for each processor.
@@ -36,7 +36,6 @@ WORKERS = 2 * len(os.sched_getaffinity(0))
 COLOURED = {"depth": ("depth of sand h [m]", "viridis"), "speed": ("speed of sand [m/s]", "YlOrRd")}
 BAR_WIDTH, TITLE_HEIGHT = 110, 34          # [pixels] beside and above a coloured picture
 PANELS_IN_A_ROW = 3
-MOST_HEADROOM = 30                         # [units of the scene] room above the sand for objects
 GAP = 6                                    # [pixels] between panels
 
 
@@ -64,7 +63,7 @@ class Renderer:
             boxes = [domain.local(self.bodies.boxes(series.objects(frame))) for frame in sampled]
             # Objects that are lifted or driven away do not push the sand out of sight.
             visible = np.concatenate([visible, np.clip(np.concatenate(boxes), domain.low,
-                                                       domain.high + [0, 0, MOST_HEADROOM])])
+                                                       domain.high + [0, 0, HEADROOM])])
         width, height = options.size
         self.camera = framed(visible, options.view, width / height, options.zoom,
                              None if options.look_at is None else domain.local(options.look_at),
@@ -96,6 +95,10 @@ class Renderer:
             spacing = number(self.series.scene["particles"]["spacing"])
             layers = spacing * self.series.scene["particles"]["layers"]
             positions, ids = self.series.particles(frame)
+            if self.series.one_dimensional:
+                _, _, south, north = self.series.extent
+                positions, ids = side_by_side(positions - [0, south, 0], ids, north - south,
+                                              render_scene.ROW_WIDTH * self.domain.span)
             parts.append(particles(self.domain, positions, ids, RADIUS * spacing, self.options.sand))
         parts.append(render_scene.sand(self.folder, name, self.domain, depth, lowered=layers))
         if self.bodies:
@@ -145,6 +148,7 @@ class Coloured:
         axes.axis("off")
         self.image = axes.imshow(picture, aspect="auto", interpolation="nearest")
         bar = self.figure.add_axes([(width + 12) / across, 0.12, 16 / across, 0.7])
+        bar.grid(False)
         scale = plt.cm.ScalarMappable(plt.Normalize(0, self.largest), self.colours)
         self.figure.colorbar(scale, cax=bar, label=self.label)
         self.title = self.figure.text(0.5, 1 - TITLE_HEIGHT / 2 / up, "", ha="center", va="center", fontsize=11)

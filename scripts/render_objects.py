@@ -11,6 +11,7 @@ from render_scene import mesh
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254}
 
+HEADROOM = 30              # [units of the scene] room above the sand for objects
 LEFT_OUT = "--no-objects leaves objects out"
 
 
@@ -22,18 +23,25 @@ class Bodies:
         self.folder = folder
         self.reach = 2 * domain.span               # [m] where half spaces end
         self.placement = domain.placement()
+        materials = [material(item["shape"], k) for k, item in enumerate(objects)]
+        self.endless = {item["name"]: look for item, look in zip(objects, materials)
+                        if item["shape"]["type"] == "half_space"}
+        self.room = f"box {{ {vector(domain.low)}, {vector(domain.high + [0, 0, HEADROOM])} }}"
         self.functions = []                        # of level sets
         solids = [solid(item["shape"], self) for item in objects]
         self.names = {item["name"]: k for k, item in enumerate(objects)}
         self.corners = [corners for _, corners in solids]
         self.text = "\n".join([*self.functions, *(
-            f"#declare Body{k} = object {{ {body} {material(item['shape'], k)} }}"
-            for k, (item, (body, _)) in enumerate(zip(objects, solids)))]) + "\n"
+            f"#declare Body{k} = object {{ {body} {look} }}"
+            for k, ((body, _), look) in enumerate(zip(solids, materials)))]) + "\n"
 
     def placed(self, poses):
         """The text of the bodies that are there; poses: {name: (position [m], rotation matrix)}."""
-        return "".join(f"object {{ Body{self.names[name]} {matrix(turn, position)} {self.placement} }}\n"
-                       for name, (position, turn) in poses.items())
+        text = []
+        for name, (position, turn) in poses.items():
+            body = f"object {{ Body{self.names[name]} {matrix(turn, position)} {self.placement} }}"
+            text.append(f"intersection {{ {body} {self.room} {self.endless[name]} }}" if name in self.endless else body)
+        return "\n".join(text)
 
     def boxes(self, poses):
         """Corners of boxes around the bodies that are there (n, 3) [m]."""
@@ -149,7 +157,7 @@ def ellipsoid(shape, _):
 
 
 def half_space(shape, bodies):
-    """Cut off at the reach of the scene, and without corners: it has no end."""
+    """As large as matters here, and without corners: it has no end."""
     reach = f"{bodies.reach:.9g}"
     return (f"intersection {{ plane {{ {vector(numbers(shape['normal']))}, 0 }} box {{ -{reach}, {reach} }}",
             np.empty((0, 3)))

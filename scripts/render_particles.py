@@ -32,6 +32,15 @@ def particles(domain, positions, ids, radius, grains):
     return f"#declare R = {radius * domain.scale:.9g};\n" + "".join(text)
 
 
+def side_by_side(positions, ids, width, across):
+    """Particles of a row of cells `width` wide [m], repeated with other tones until they fill `across` [m]."""
+    copies = max(round(across / width), 1)
+    shifts = width * np.repeat(np.arange(copies), len(ids))
+    repeated = np.tile(positions.astype(float), (copies, 1))
+    repeated[:, 1] = (repeated[:, 1] + shifts) * (across / (copies * width))
+    return repeated, np.tile(ids, copies) + np.repeat(np.arange(copies), len(ids)) * (1 << 32)
+
+
 def tone_colours(grains):
     """(TONES, 3) in 0..255 from dark to light grains; lighter than the surface, for spheres shade each other."""
     dark, _, light = (np.array(colour, dtype=float) for colour in GRAINS[grains])
