@@ -8,6 +8,7 @@ import numpy as np
 
 from render_look import METAL, paint, vector, wood
 from render_scene import mesh
+from sandsim_series import rotation_matrix
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254}
 
@@ -66,14 +67,6 @@ def number(quantity):
 
 def numbers(quantities):
     return np.array([number(q) for q in quantities])
-
-
-def rotation_matrix(quaternion):
-    """The rotation of a quaternion (w, x, y, z) of any length."""
-    w, x, y, z = np.asarray(quaternion, dtype=float) / np.linalg.norm(quaternion)
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 def about(axis, angle):

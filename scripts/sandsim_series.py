@@ -103,7 +103,7 @@ class Series:
         index = self._index(frame)
         place = zip(self._h5["object_name"][:], self._h5["object_present"][index], self._h5["object_position"][index],
                     self._h5["object_rotation"][index])
-        return {_text(name): (position, _rotation(*quaternion)) for name, there, position, quaternion in place if there}
+        return {_text(name): (position, rotation_matrix(quaternion)) for name, there, position, quaternion in place if there}
 
     @property
     def has_objects(self):
@@ -195,7 +195,9 @@ def _open(path):
     return h5py.File(path, "r", libver="latest", swmr=True)
 
 
-def _rotation(w, x, y, z):
+def rotation_matrix(quaternion):
+    """The rotation of a quaternion (w, x, y, z) of any length: (3, 3)."""
+    w, x, y, z = np.asarray(quaternion, dtype=float) / np.linalg.norm(quaternion)
     return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                      [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
                      [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
