@@ -27,9 +27,14 @@ def flank(series, directions):
 
 
 def slope(series, directions):
-    """Angle of the flanks [deg] along lines through the centre: a straight line fitted to their cells."""
+    """Angle of the flanks [deg] along lines through the centre: a straight line fitted to their cells.
+
+    NaN where there is no flank: sand that has spread over the whole grid is nowhere below FLANK of its height.
+    """
     r, h = flank(series, directions)
     chosen = (h > FLANK[0] * h.max()) & (h < FLANK[1] * h.max())
+    if np.count_nonzero(chosen) < 3:
+        return float("nan")
     return float(np.degrees(np.arctan(-np.polyfit(r[chosen], h[chosen], 1)[0])))
 
 

@@ -1,0 +1,5 @@
+"""All figures, in the order of the paper."""
+
+from . import piles
+
+FIGURES = [piles.FIGURE]
