@@ -22,6 +22,9 @@ class Claim:
     why: str = ""              # what it comes from, if they do not agree; or what limits the comparison
     printed: bool = False      # about the equations as they are printed, not about what the paper claims
 
+    def __post_init__(self):
+        self.agrees = None if self.agrees is None else bool(self.agrees)      # NumPy has a bool of its own
+
 
 @dataclass
 class Outcome:
