@@ -3,6 +3,7 @@
 import subprocess
 import unittest
 
+from paper_figures import avalanche
 from plotting import ROOT, sandsim
 
 SCENES = sorted(ROOT.glob("scenes/*/scene*.yaml"))
@@ -10,6 +11,10 @@ STUDIES = sorted(ROOT.glob("scenes/studies/*.yaml"))
 
 
 class ShippedScenes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        avalanche.inputs()                   # terrain and snow are not in the repository
+
     def test_every_scene_passes_sandsim_check(self):
         for scene in SCENES:
             with self.subTest(scene=scene.relative_to(ROOT)):

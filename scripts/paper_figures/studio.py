@@ -3,10 +3,13 @@
 import shutil
 import subprocess
 
+from PIL import Image
+
 from plotting import ROOT, plt
 from sandsim_series import Series
 
 RENDER = ROOT / "scripts/render"
+JPEG_QUALITY = 88
 
 
 class Studio:
@@ -21,7 +24,8 @@ class Studio:
     @staticmethod
     def tools():
         """What is there to draw with, as part of a figure's hash."""
-        return [f"{tool}: {shutil.which(tool) is not None}" for tool in ("povray", "ffmpeg")]
+        renderer = [path.read_bytes() for path in sorted((ROOT / "scripts").glob("render*"))]
+        return [f"povray: {shutil.which('povray') is not None}", *renderer]
 
     def result(self, name):
         """The folder of one of the figure's runs."""
@@ -37,7 +41,22 @@ class Studio:
         plt.close(figure)
         return name
 
-    def script(self, script, *arguments):
-        """Calls one of the plot scripts; returns what it prints."""
-        command = ["/usr/bin/python3", str(ROOT / "scripts" / script), *map(str, arguments)]
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    def trace(self, run, name, *options, times=()):
+        """A ray-traced picture of a run, NAME.jpg; without POV-Ray a shaded relief from above. Returns its file name."""
+        result, drawn = self.result(run), self.folder / f"{name}.png"
+        times = ["--time", *map(str, times)] if times else []
+        if shutil.which("povray"):
+            command = [str(RENDER), str(result), "-o", str(drawn), *times, *map(str, options)]
+        else:
+            self._miss("povray (apt-get install povray): pictures of the scenes are shaded reliefs from above instead")
+            command = ["/usr/bin/python3", str(ROOT / "scripts/plot_relief.py"), str(result), "-o", str(drawn), *times]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise RuntimeError(f"{' '.join(command)}\n{done.stderr.strip()}")
+        Image.open(drawn).convert("RGB").save(drawn.with_suffix(".jpg"), quality=JPEG_QUALITY)
+        drawn.unlink()
+        return f"{name}.jpg"
+
+    def _miss(self, text):
+        if text not in self.missing:
+            self.missing.append(text)
