@@ -12,6 +12,7 @@ from paper_figures import page
 from paper_figures.catalogue import FIGURES
 from paper_figures.publish import publish
 from paper_figures.runs import RunFailed, Runs
+from paper_figures.studio import DrawingFailed
 from paper_figures.workshop import Workshop
 from plotting import ROOT, sandsim
 
@@ -87,7 +88,7 @@ def main():
     for figure in figures:
         try:
             workshop.make(figure, given.anew)
-        except RunFailed as error:
+        except (RunFailed, DrawingFailed) as error:
             failed.append(figure.name)
             say(f"error: figure {figure.name} was not made: {error}")
     sections = write_pages(workshop, folder)

@@ -10,6 +10,7 @@ class Run:
     scene: str
     settings: tuple = ()
     options: tuple = ()
+    keep_fields: bool = True   # False: only run.json is kept
 
 
 @dataclass
@@ -42,12 +43,13 @@ class Figure:
     title: str
     says: str                                        # what the paper says of it
     draw: object
-    runs: tuple = ()
+    runs: object = ()                                # a tuple of Run, or a function that returns one
     inputs: object = None
 
     @property
-    def scenes(self):
-        return list(dict.fromkeys(run.scene for run in self.runs))
+    def planned(self):
+        """The runs."""
+        return self.runs() if callable(self.runs) else self.runs
 
 
 def verdict(claims):

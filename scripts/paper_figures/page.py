@@ -121,7 +121,7 @@ def overview(form, sections):
 
 
 def scene_links(form, figure, to_root):
-    names = sorted({str(Path(scene).parent) for scene in figure.scenes})
+    names = sorted({str(Path(run.scene).parent) for run in figure.planned})
     return ", ".join(form.link(f"scenes/{name}", f"{to_root}/scenes/{name}/README.md") for name in names)
 
 
@@ -129,7 +129,7 @@ def write_section(form, section, pictures, to_root):
     """`pictures`: the folder of the pictures as the page sees it."""
     figure = section.figure
     parts = [form.heading(2, figure.title, section.anchor), form.paragraph(f"The paper: {figure.says}")]
-    if figure.scenes:
+    if figure.planned:
         parts.append(form.table(["scene", "alone"], [[scene_links(form, figure, to_root),
                                                       f"`scripts/figures {figure.name}`"]]))
     else:

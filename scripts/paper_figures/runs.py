@@ -69,6 +69,10 @@ class Runs:
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
             raise RunFailed(f"{run.name}: sandsim ended with {done.returncode}\n{done.stderr.strip()}")
+        if not run.keep_fields:
+            for path in unfinished.iterdir():
+                if path.name != "run.json":
+                    path.unlink()
         unfinished.rename(folder)
         self.made += 1
         return folder

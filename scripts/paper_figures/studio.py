@@ -12,13 +12,17 @@ RENDER = ROOT / "scripts/render"
 JPEG_QUALITY = 88
 
 
+class DrawingFailed(Exception):
+    """A program that draws ended with an error. The message is its own."""
+
+
 class Studio:
     """Given to Figure.draw. Pictures go to `folder`; what was missing is kept in `missing`."""
 
     def __init__(self, figure, runs, folder):
         self.figure, self.folder, self.missing = figure, folder, []
         self._runs = runs
-        self._by_name = {run.name: run for run in figure.runs}
+        self._by_name = {run.name: run for run in figure.planned}
         folder.mkdir(parents=True, exist_ok=True)
 
     @staticmethod
@@ -52,7 +56,7 @@ class Studio:
             command = ["/usr/bin/python3", str(ROOT / "scripts/plot_relief.py"), str(result), "-o", str(drawn), *times]
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
-            raise RuntimeError(f"{' '.join(command)}\n{done.stderr.strip()}")
+            raise DrawingFailed(f"{' '.join(command)}\n{done.stderr.strip()}")
         Image.open(drawn).convert("RGB").save(drawn.with_suffix(".jpg"), quality=JPEG_QUALITY)
         drawn.unlink()
         return f"{name}.jpg"

@@ -39,7 +39,7 @@ class Workshop:
     def key(self, figure):
         """Hash of all that a figure depends on: its runs, its scripts, and the tools that draw it."""
         code = [path.read_bytes() for path in sources(importlib.import_module(figure.draw.__module__))]
-        return digest(figure.name, *[self.runs.key(run) for run in figure.runs], *code, *Studio.tools())
+        return digest(figure.name, *[self.runs.key(run) for run in figure.planned], *code, *Studio.tools())
 
     def record(self, figure):
         """The record of a figure that was made before, or None."""
