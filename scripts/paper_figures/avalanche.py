@@ -72,10 +72,15 @@ def judged(way, drop, report):
                   f"at most {VOLUME:g}", abs(report["volume_error"]) <= VOLUME)]
 
 
+def film(studio, name, times, view):
+    """The avalanche at some moments, two in a row."""
+    parts = [studio.trace("avalanche", f"part{time}", "--sand", "snow", "--view", *view, "--zoom", 1.08, "--size", "640x400",
+                          times=[time]) for time in times]
+    return studio.beside(parts, f"{name}.jpg", 2), "t = " + ", ".join(f"{time:g}" for time in times) + " s"
+
+
 def draw_first(studio):
-    moments = [(6, (8, 30)), (14, (8, 30))]
-    pictures = [(studio.trace("avalanche", f"avalanche_{time}s", "--sand", "snow", "--view", *view, "--zoom", 1.25,
-                              times=[time]), f"The slab {time} s after it broke off.") for time, view in moments]
+    pictures = [film(studio, "avalanche", (4, 14), (8, 30))]
     drawing, way, drop, report = draw_map(studio)
     return Outcome(pictures=[*pictures, (drawing, "Outlines of the snow, its energy and its largest speed.")],
                    claims=judged(way, drop, report),
@@ -84,9 +89,7 @@ def draw_first(studio):
 
 
 def draw_last(studio):
-    pictures = [(studio.trace("avalanche", f"avalanche_{time}s", "--sand", "snow", "--view", *view, "--zoom", 1.25,
-                              times=[time]), f"t = {time} s.")
-                for time, view in ((3, (-40, 30)), (10, (-40, 30)), (18, (-40, 30)), (60, (-40, 30)))]
+    pictures = [film(studio, "runout", (0, 8, 18, 60), (-40, 30))]
     with studio.series("avalanche") as series:
         way, drop = travelled(series)
         return Outcome(pictures=pictures, claims=judged(way, drop, series.report),

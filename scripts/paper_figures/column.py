@@ -67,15 +67,16 @@ def draw_columns(studio):
 
 
 def draw(studio):
-    pictures = [(studio.trace("tall_column", f"column_{round(1e3 * time)}ms", "--show", "particles", "--zoom", 1.1,
-                              "--size", "720x405", times=[time]), f"Particles, t = {time:g} s.") for time in MOMENTS]
+    parts = [studio.trace("tall_column", f"part{number}", "--show", "particles", "--zoom", 1.5, "--size", "440x330",
+                          times=[time]) for number, time in enumerate(MOMENTS)]
+    film = (studio.beside(parts, "column.jpg", len(parts)), "Particles at " + ", ".join(f"{time:g}" for time in MOMENTS) + " s.")
     drawing, off, rows = draw_columns(studio)
     low = [value for aspect, value in zip(ASPECTS, off["constant"]) if aspect <= LOW]
     with studio.series("tall_column") as series:
         report = series.report
     particles, solver = per_frame(report, "particles"), per_frame(report, "step")
     return Outcome(
-        pictures=[*pictures, (drawing, "Deposits and runouts of four columns.")],
+        pictures=[film, (drawing, "Deposits and runouts of four columns.")],
         claims=[Claim("the assumption 'works quite well for granular flows whose vertical length scale is smaller than "
                       "the horizontal length scale'", f"runout against measured columns for a = 0.5 and {LOW}: "
                       + ", ".join(f"{100 * value:+.0f} %" for value in low),

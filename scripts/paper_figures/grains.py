@@ -62,10 +62,9 @@ def evenness(series):
 
 
 def draw(studio):
-    pictures, rows, dense, even = [], [], [], []
+    parts, rows, dense, even = [], [], [], []
     for cells, run in zip(CELLS, AVERAGED):
-        pictures.append((studio.trace(run.name, f"grains_{round(100 * cells)}", "--show", "particles", "--zoom", 1.9,
-                                      "--size", "720x405"), f"dl = {cells:g} dL"))
+        parts.append(studio.trace(run.name, f"part{len(parts)}", "--show", "particles", "--zoom", 2, "--size", "480x360"))
         with studio.series(run.name) as series:
             value, blocks, in_a_cell = evenness(series)
             dense.append(in_a_cell)
@@ -75,7 +74,8 @@ def draw(studio):
                          f"{value:.2f} ({blocks} blocks)"])
     slow, fast, factor = speeds(studio)
     return Outcome(
-        pictures=pictures,
+        pictures=[(studio.beside(parts, "grains.jpg", len(parts)),
+                   "dl = " + ", ".join(f"{cells:g}" for cells in CELLS) + " dL")],
         claims=[Claim("'improved visual effects as the resolution increases'",
                       "particles in a cell: " + ", ".join(f"{value:.2f}" for value in dense)
                       + "; chi squared over blocks " + ", ".join(f"{value:.2f}" for value in even),

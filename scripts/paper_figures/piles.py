@@ -51,7 +51,8 @@ def draw_piles(studio):
         with studio.series(f"pile_{angle}") as series:
             values[angle] = measure(series)
             show_field(maps[index], series, -1)
-            maps[index].set_title(f"{angle}°: stands at {values[angle][0]:.2f}° (axis), {values[angle][1]:.2f}°")
+            maps[index].set_title(f"{angle}°: stands at {values[angle][0]:.2f}° (axis), {values[angle][1]:.2f}°",
+                                  fontsize=8)
             profiles.plot(*flank(series, (0, 90)), label=f"{angle}°")
             r, h = flank(series, (0, 90))
             top = cone_height(float(series.report["volume_final"]), angle)
@@ -95,6 +96,8 @@ def draw_schemes(studio):
 
 
 def draw(studio):
+    parts = [studio.trace(f"pile_{angle}", f"part{angle}", "--size", "440x330", "--view", -60, 20) for angle in ANGLES]
+    traced = studio.beside(parts, "traced.jpg", len(parts))
     piles, values, short = draw_piles(studio)
     schemes, table = draw_schemes(studio)
     with studio.series("pile_30_dropped") as series:
@@ -115,7 +118,8 @@ def draw(studio):
                     "the printed dissipation moves -(sqrt(g h)/2) dh through every face, also at rest: piles keep "
                     "spreading. With no flux through faces at rest the piles stand (table).", printed=True)]
     return Outcome(
-        pictures=[(piles, "The four piles from above, their flanks, and what the rate of the pour does."),
+        pictures=[(traced, "The four piles: 15, 30, 45, 60 deg."),
+                  (piles, "The four piles from above, their flanks, and what the rate of the pour does."),
                   (schemes, "Sections with the balanced scheme, the paper's with a rest gate, and as printed.")],
         claims=claims,
         tables=[("Slopes along axes / diagonals [deg] and heights with each scheme:",

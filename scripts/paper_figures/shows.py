@@ -110,8 +110,8 @@ def cars(studio):
 
 def writing(studio):
     pictures = [(studio.trace("writing", "written", "--view", -90, 62), "Both characters at rest."),
-                (studio.trace("writing", "particles", "--show", "particles", "--view", -90, 62, "--zoom", 2, "--look-at",
-                              0.42, 0.4, 0.03), "The first one in particles.")]
+                (studio.trace("writing", "particles", "--show", "particles", "--view", -90, 45),
+                 "The same in particles.")]
     with studio.series("writing") as series:
         column = int(np.argmin(np.abs(series.x - 0.30)))
         change = series.depth(-1)[:, column].astype(float) - series.depth(0)[:, column]

@@ -10,6 +10,7 @@ from sandsim_series import Series
 
 RENDER = ROOT / "scripts/render"
 JPEG_QUALITY = 88
+GAP = 6                        # [pixels] between pictures side by side
 
 
 class DrawingFailed(Exception):
@@ -60,6 +61,19 @@ class Studio:
         Image.open(drawn).convert("RGB").save(drawn.with_suffix(".jpg"), quality=JPEG_QUALITY)
         drawn.unlink()
         return f"{name}.jpg"
+
+    def beside(self, names, name, columns):
+        """One picture of several of the same size, left to right and down; they go. Returns its file name."""
+        parts = [Image.open(self.folder / part) for part in names]
+        width, height = parts[0].size
+        whole = Image.new("RGB", (columns * (width + GAP) - GAP, -(-len(parts) // columns) * (height + GAP) - GAP), "white")
+        for number, part in enumerate(parts):
+            row, column = divmod(number, columns)
+            whole.paste(part, (column * (width + GAP), row * (height + GAP)))
+        whole.save(self.folder / name, quality=JPEG_QUALITY)
+        for part in names:
+            (self.folder / part).unlink()
+        return name
 
     def _miss(self, text):
         if text not in self.missing:
