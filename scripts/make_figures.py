@@ -3,7 +3,9 @@
 
 import argparse
 import difflib
+import os
 import platform
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -47,12 +49,17 @@ def processor():
     return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), "unknown processor")
 
 
-def write_pages(workshop, folder):
+def machine():
+    """What the runs were made with and on."""
+    version = subprocess.run([sandsim(), "--version"], capture_output=True, text=True, check=True).stdout.strip()
+    return f"Made with {version} on {processor()}, {len(os.sched_getaffinity(0))} threads."
+
+
+def write_pages(workshop, folder, made_on):
     """index.html and FIGURES.md in the folder of the figures."""
     sections = [page.Section(figure, workshop.record(figure)) for figure in FIGURES]
-    machine = f"Machine: {processor()}."
     for form, name in ((page.Html(), "index.html"), (page.Markdown(), "FIGURES.md")):
-        text = page.write(form, sections, machine, "scripts/figures", lambda figure: figure.name,
+        text = page.write(form, sections, made_on, "scripts/figures", lambda figure: figure.name,
                           page.relative_root(folder))
         (folder / name).write_text(text)
     return sections
@@ -91,7 +98,8 @@ def main():
         except (RunFailed, DrawingFailed) as error:
             failed.append(figure.name)
             say(f"error: figure {figure.name} was not made: {error}")
-    sections = write_pages(workshop, folder)
+    made_on = machine()
+    sections = write_pages(workshop, folder, made_on)
     for section in sections:
         say(f"  {section.figure.name:8} {section.verdict}")
     for text in workshop.missing:
@@ -99,7 +107,7 @@ def main():
     say(f"{len(workshop.made)} made, {len(workshop.found)} unchanged, {len(failed)} failed; {runs.made} runs made, "
         f"{runs.found} kept; {time.monotonic() - start:.0f} s")
     if given.publish:
-        publish(workshop, sections, f"Machine: {processor()}.")
+        publish(workshop, sections, made_on)
     print(folder / "index.html")
     return 5 if failed else 0
 

@@ -51,6 +51,12 @@ def ratios(found, norm):
     return [found["full", layer][norm].max() / found["constant", layer][norm].max() for layer in LAYERS]
 
 
+def overtaken(found):
+    """When the L2 deviation of the deepest layer becomes larger with hbar = 0.2 m than with hbar = h [s]."""
+    larger = found["constant", LAYERS[-1]]["L2"] > found["full", LAYERS[-1]]["L2"]
+    return TIMES[int(np.argmax(larger))]
+
+
 def draw_profiles(studio, table):
     figure, axes = plt.subplots(2, 2, figsize=(11, 7))
     colours = plt.cm.viridis(np.linspace(0, 0.9, 1 + len(LAYERS)))
@@ -129,9 +135,9 @@ def draw(studio):
                  ["scheme", "friction", "norm", *[f"B = {layer:g} m" for layer in LAYERS]], ratio_rows(table)),
                 ("The same at single moments (balanced, 30.9 deg):",
                  ["norm", "t", *[f"B = {layer:g} m" for layer in LAYERS]], moment_rows(main))],
-        notes=["Later than about 0.25 s the ratio falls below 1: sand with hbar = h has nearly stopped then, sand with "
-               "hbar = 0.2 m still moves. At rest the deposits are alike with either: friction stops both just below its "
-               "angle."])
+        notes=[f"From {overtaken(main):.2f} s on (B = {LAYERS[-1]:g} m, L2) the deviation is larger with hbar = 0.2 m for a "
+               "while: sand with hbar = h has nearly stopped then, sand with hbar = 0.2 m still moves. At rest the deposits "
+               "are alike with either: friction stops both just below its angle."])
 
 
 FIGURE = Figure("12", "Fig. 12: a dam break on a layer",
