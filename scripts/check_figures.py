@@ -8,9 +8,12 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
+from PIL import Image
+
 from paper_figures import page, piles, table1
 from paper_figures.catalogue import FIGURES
 from paper_figures.model import Claim, Figure, Outcome, Run, verdict
+from paper_figures.publish import shrink
 from paper_figures.runs import RunFailed, Runs
 from paper_figures.studio import Studio
 from paper_figures.workshop import Workshop, sources
@@ -117,10 +120,11 @@ class Kept(unittest.TestCase):
         self.assertEqual((other.made, other.runs.made), (["front"], 1))
         self.assertEqual(len(list((self.folder / "runs").iterdir())), 1)
 
-    def test_only_the_report_is_kept_where_no_more_is_needed(self):
+    def test_of_a_timed_run_only_the_report_is_kept_and_how_busy_the_machine_was(self):
         runs = Runs(self.folder, sandsim(), lambda text: None)
-        folder = runs.result(Run("flume", COARSE.scene, COARSE.settings, keep_fields=False))
-        self.assertEqual([path.name for path in folder.iterdir()], ["run.json"])
+        folder = runs.result(Run("flume", COARSE.scene, COARSE.settings, timed=True))
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), ["busy.txt", "run.json"])
+        self.assertTrue(0 <= float((folder / "busy.txt").read_text()) <= os.cpu_count())
 
     def test_a_run_that_fails_says_why_and_leaves_no_result(self):
         runs = Runs(self.folder, sandsim(), lambda text: None)
@@ -174,6 +178,14 @@ class Page(unittest.TestCase):
             target = f'id="{link[1:]}"' in text if link.startswith("#") else (ROOT / "scenes" / link).is_file()
             self.assertTrue(target, link)
         self.assertIn("1 &lt; 2", text)
+
+    def test_published_pictures_are_of_modest_width(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "wide.png"
+            Image.new("RGB", (2000, 1000), "red").save(source)
+            (Path(folder) / "out").mkdir()
+            name = shrink(source, Path(folder) / "out")
+            self.assertEqual(Image.open(Path(folder) / "out" / name).size, (880, 440))
 
     def test_a_verdict_is_on_the_claims_and_apart_on_the_print(self):
         section = next(section for section in self.sections if section.record)

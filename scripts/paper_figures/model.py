@@ -10,7 +10,7 @@ class Run:
     scene: str
     settings: tuple = ()
     options: tuple = ()
-    keep_fields: bool = True   # False: only run.json is kept
+    timed: bool = False        # only run.json is kept, and beside it how busy the machine was before
 
 
 @dataclass

@@ -1,13 +1,19 @@
 """Runs that are kept as long as nothing that they depend on changes."""
 
 import hashlib
+import os
 import shutil
 import subprocess
+import time
 from pathlib import Path
 
 import yaml
 
 from plotting import ROOT
+
+
+BUSY = "busy.txt"              # beside a timed run: what busy() gave before it
+SAMPLE = 0.3                   # [s] over which busy() looks
 
 
 class RunFailed(Exception):
@@ -21,6 +27,20 @@ def digest(*parts):
         data = part if isinstance(part, bytes) else str(part).encode()
         total.update(str(len(data)).encode() + b":" + data)
     return total.hexdigest()
+
+
+def busy():
+    """Processors that are busy just now; 0 where the system does not say."""
+    def ticks():
+        fields = [int(word) for word in Path("/proc/stat").read_text().splitlines()[0].split()[1:9]]
+        return sum(fields), fields[3] + fields[4]           # all, and those idle or waiting for the disk
+    try:
+        before = ticks()
+        time.sleep(SAMPLE)
+        after = ticks()
+    except (OSError, ValueError, IndexError):
+        return 0.0
+    return os.cpu_count() * (1 - (after[1] - before[1]) / max(after[0] - before[0], 1))
 
 
 def texts(value):
@@ -50,7 +70,8 @@ class Runs:
         """Hash of scene, input files, settings and program."""
         scene = ROOT / "scenes" / run.scene
         files = [part for path in files_of(scene) for part in (path.name, path.read_bytes())]
-        return digest(self._program, scene.read_bytes(), *files, "settings", *run.settings, "options", *run.options)
+        return digest(self._program, scene.read_bytes(), *files, "settings", *run.settings, "options", *run.options,
+                      run.timed)
 
     def result(self, run):
         """The folder of a result; runs the scene unless it is there."""
@@ -66,13 +87,15 @@ class Runs:
         for setting in run.settings:
             command += ["--set", setting]
         self.say(f"  running {run.name}")
+        others = busy() if run.timed else 0.0
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
             raise RunFailed(f"{run.name}: sandsim ended with {done.returncode}\n{done.stderr.strip()}")
-        if not run.keep_fields:
+        if run.timed:
             for path in unfinished.iterdir():
                 if path.name != "run.json":
                     path.unlink()
+            (unfinished / BUSY).write_text(f"{others:.2f}\n")
         unfinished.rename(folder)
         self.made += 1
         return folder

@@ -12,6 +12,7 @@ from plotting import ROOT, plt, sandsim
 
 from .common import FRAME, stage
 from .model import Claim, Figure, Outcome, Run
+from .runs import BUSY
 
 PARTICLES = 0.25                        # [cells] of 1024 x 1024 particles on 256 x 256 cells
 
@@ -82,7 +83,7 @@ def timed(row, device):
     settings = (*row.settings, *early_objects(scene, row.end), f"time.end={row.end:g} s",
                 "time.frame_interval=33.333333 ms", "time.stop_at_rest=false")
     return Run(f"table_{name}_{device.replace(', ', '_').replace(' ', '')}", scene, settings, devices()[device],
-               keep_fields=False)
+               timed=True)
 
 
 def runs():
@@ -104,6 +105,11 @@ def cells_of(report, row):
 
 def read(studio, row, device):
     return json.loads((studio.result(timed(row, device).name) / "run.json").read_text())
+
+
+def busiest(studio):
+    """Processors that other programs kept busy before a run: the most over all runs."""
+    return max(float((studio.result(run.name) / BUSY).read_text()) for run in studio.figure.planned)
 
 
 def text(value):
@@ -132,7 +138,9 @@ def draw(studio):
                              "paper: t_d / t_i / t_p [ms a frame]"], table)],
                    notes=["The paper's times are from a GTX 1060, and its steps in a frame are not given, so that its times "
                           "and these cannot be divided by each other.",
-                          "A machine that does other things at the same time gives longer times: these are as they came."])
+                          f"Before the runs other programs kept up to {busiest(studio):.1f} processors busy. On a busy machine all "
+                          "times are too long, and those of several threads many times so: each step waits for the last "
+                          "one."])
 
 
 def claims(measured):
