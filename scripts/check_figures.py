@@ -63,7 +63,8 @@ class Names(unittest.TestCase):
         done = figures("--list")
         self.assertEqual(done.returncode, 0, done.stderr)
         names = [line.split()[0] for line in done.stdout.splitlines()]
-        self.assertEqual(names, ["1a", "1b", "5", "6", "7", "8", "9", "10", "11a", "11b", "12", "13", "14", "15", "16", "17",
+        self.assertEqual(names, ["1a", "1b", "5", "6", "7", "8", "9", "10", "11a", "11b", "12", "13", "14", "15", "16",
+                                 "17",
                                  "table1"])
 
     def test_an_unknown_name_is_an_error_that_names_the_nearest_and_all(self):
@@ -154,9 +155,11 @@ class Kept(unittest.TestCase):
 
 class Page(unittest.TestCase):
     def setUp(self):
-        outcome = Outcome([("a.png", "a < b")], [Claim("s & t", "`1`", "c", True), Claim("p", "2", "c", False, "w", True)],
+        outcome = Outcome([("a.png", "a < b")], [Claim("s & t", "`1`", "c", True),
+                                                 Claim("p", "2", "c", False, "w", True)],
                           [("", ["x"], [["1 < 2"]])], ["a note"])
-        self.sections = [page.Section(figure, {"outcome": outcome} if figure.name == "5" else None) for figure in FIGURES]
+        self.sections = [page.Section(figure, {"outcome": outcome} if figure.name == "5" else None)
+                         for figure in FIGURES]
 
     def text(self, form):
         return page.write(form, self.sections, "Machine: one.", "scripts/figures", lambda figure: figure.name, "..")

@@ -48,7 +48,8 @@ def draw_map(studio):
         left.set(xlabel="x [m]", ylabel="y [m]", title="Snow deeper than 0.2 dL/2, bed every 20th", aspect="equal")
         left.set_title("Where the snow is deeper than 0.2 m (0.1 dL)")
         left.legend(loc="upper right")
-        right.plot(series.time, series.numbers["kinetic_energy"] / 1e6, label="kinetic energy / density [10$^6$ m$^5$/s$^2$]")
+        right.plot(series.time, series.numbers["kinetic_energy"] / 1e6,
+                   label="kinetic energy / density [10$^6$ m$^5$/s$^2$]")
         right.plot(series.time, series.numbers["max_speed"], label="largest speed [m/s]")
         right.set(xlabel="t [s]", title="Energy and speed")
         right.legend()
@@ -63,7 +64,8 @@ def judged(way, drop, report):
                   f"the centre of mass comes down {drop:.0f} m on a way of {way:.0f} m: {angle:.1f} deg",
                   f"Coulomb friction takes g mu a metre of way, so the angle is {FRICTION:g} deg or more, and at most "
                   f"{WITHIN:g} deg more (what collides and is turned aside)", FRICTION <= angle <= FRICTION + WITHIN),
-            Claim("'able to simulate large-scale dry granular flows [...] in real time': t_d = 20 ms a frame (GTX 1060)",
+            Claim("'able to simulate large-scale dry granular flows [...] in real time': t_d = 20 ms a frame (GTX "
+                  "1060)",
                   f"{milliseconds:.0f} ms a frame of 1/30 s on {report['device']} ({report['threads']} threads), "
                   f"{report['steps'] * FRAME / report['simulated_time']:.1f} steps a frame",
                   "less than 1/30 s a frame on the device of this page", milliseconds < 1e3 * FRAME,
@@ -74,7 +76,8 @@ def judged(way, drop, report):
 
 def film(studio, name, times, view):
     """The avalanche at some moments, two in a row."""
-    parts = [studio.trace("avalanche", f"part{time}", "--sand", "snow", "--view", *view, "--zoom", 1.08, "--size", "640x400",
+    parts = [studio.trace("avalanche", f"part{time}", "--sand", "snow", "--view", *view, "--zoom", 1.08, "--size",
+                          "640x400",
                           times=[time]) for time in times]
     return studio.beside(parts, f"{name}.jpg", 2), "t = " + ", ".join(f"{time:g}" for time in times) + " s"
 
@@ -97,8 +100,8 @@ def draw_last(studio):
 
 
 FIGURE_1A = Figure("1a", "Fig. 1, avalanche: snow on a mountain side",
-                   "'we simulate a snow avalanche whose friction angle is set to 20 deg. We reconstruct the snow surface "
-                   "[...] for an iso-value of h = 0.1 dL.' Table 1: 512 x 512, hbar = h, C = 0.1, t_d = 20 ms.",
+                   "'we simulate a snow avalanche whose friction angle is set to 20 deg. We reconstruct the snow "
+                   "surface [...] for an iso-value of h = 0.1 dL.' Table 1: 512 x 512, hbar = h, C = 0.1, t_d = 20 ms.",
                    draw_first, (RELEASE,), inputs)
 FIGURE_17 = Figure("17", "Fig. 17: the avalanche runs out",
                    "'A snow avalanche. Our method is able to simulate large-scale dry granular media in real-time.'",

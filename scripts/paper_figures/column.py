@@ -55,7 +55,8 @@ def draw_columns(studio):
                           color=f"C{number}", label=f"a = {aspect:g}" if mark == "o" else None)
         off[policy] = [value / measured_runout(aspect) - 1 for aspect, value in zip(ASPECTS, found)]
         right.plot(ASPECTS, found, mark, label=POLICIES[policy][0])
-        rows += [[POLICIES[policy][0], f"{aspect:g}", f"{value:.2f}", f"{measured_runout(aspect):.2f}", f"{100 * error:+.0f} %"]
+        rows += [[POLICIES[policy][0], f"{aspect:g}", f"{value:.2f}", f"{measured_runout(aspect):.2f}",
+                  f"{100 * error:+.0f} %"]
                  for aspect, value, error in zip(ASPECTS, found, off[policy])]
     left.set(xlabel="x [cm]", ylabel="depth [cm]", title=f"Deposits; dotted: {POLICIES['truncated'][0]}")
     left.legend()
@@ -69,7 +70,8 @@ def draw_columns(studio):
 def draw(studio):
     parts = [studio.trace("tall_column", f"part{number}", "--show", "particles", "--zoom", 1.5, "--size", "440x330",
                           times=[time]) for number, time in enumerate(MOMENTS)]
-    film = (studio.beside(parts, "column.jpg", len(parts)), "Particles at " + ", ".join(f"{time:g}" for time in MOMENTS) + " s.")
+    film = (studio.beside(parts, "column.jpg", len(parts)), "Particles at "
+            + ", ".join(f"{time:g}" for time in MOMENTS) + " s.")
     drawing, off, rows = draw_columns(studio)
     low = [value for aspect, value in zip(ASPECTS, off["constant"]) if aspect <= LOW]
     with studio.series("tall_column") as series:
@@ -82,27 +84,31 @@ def draw(studio):
                       + ", ".join(f"{100 * value:+.0f} %" for value in low),
                       "within 20 %", max(map(abs, low)) <= 0.2),
                 Claim("'if the vertical length is much larger, certain kind of mismatch could arise', as in Fig. 15",
-                      f"a = 2 and {ASPECTS[-1]}: " + ", ".join(f"{100 * value:+.0f} %" for value in off["constant"][2:]),
+                      f"a = 2 and {ASPECTS[-1]}: " + ", ".join(f"{100 * value:+.0f} %"
+                                                               for value in off["constant"][2:]),
                       "both run more than 25 % too far", min(off["constant"][2:]) > 0.25),
                 Claim("'this can always be improved by adjusting the value of hbar'",
-                      f"with {POLICIES['truncated'][0]}: " + ", ".join(f"{100 * value:+.0f} %" for value in off["truncated"]),
+                      f"with {POLICIES['truncated'][0]}: " + ", ".join(f"{100 * value:+.0f} %"
+                                                                       for value in off["truncated"]),
                       "the largest difference is smaller than with hbar of 10 cells",
                       max(map(abs, off["truncated"])) < max(map(abs, off["constant"])),
                       "the cap was chosen for this; no rule gives it"),
                 Claim("50 layers of particles cost 65 ms a frame, the equations less than 1 ms (GTX 1060)",
-                      f"{report['particles']['count']} particles: {particles:.0f} ms, equations {solver:.1f} ms a frame of "
-                      f"1/30 s on {report['device']} ({report['threads']} threads)",
+                      f"{report['particles']['count']} particles: {particles:.0f} ms, equations {solver:.1f} ms a "
+                      f"frame of 1/30 s on {report['device']} ({report['threads']} threads)",
                       "the particles cost more than ten times what the equations do, as in the paper",
                       particles > 10 * solver, "particles move once a frame here, the equations in steps"),
                 kept(report)],
         tables=[("", ["hbar", "a", "runout (R - R0)/R0", "measured columns", "difference"], rows)],
         notes=["The left half of the paper's figure, Narain et al.'s 3-D solver, is not part of this project: only the "
                "paper's own side is made.",
-               "1.6 sqrt(a) beyond a = 1.7 is quoted from the literature without its tables at hand; it meets 1.24 a there."])
+               "1.6 sqrt(a) beyond a = 1.7 is quoted from the literature without its tables at hand; it meets 1.24 a "
+               "there."])
 
 
 FIGURE = Figure("15", "Fig. 15: a tall column in particles",
-                "'A comparison between the simulation results produced by our method (right) and Narain et al.'s method'; "
-                "'the simulation result [...] is quite similar'; and under limitations: 'if the vertical length is much "
-                "larger, certain kind of mismatch could arise during the simulation, as shown in Figure 15'. Table 1: "
-                "64 x 64, 128 x 128 x 50 particles, 30 deg, hbar of 10 cells.", draw, (FILM, *COLUMNS.values()))
+                "'A comparison between the simulation results produced by our method (right) and Narain et al.'s "
+                "method'; 'the simulation result [...] is quite similar'; and under limitations: 'if the vertical "
+                "length is much larger, certain kind of mismatch could arise during the simulation, as shown in Figure "
+                "15'. Table 1: 64 x 64, 128 x 128 x 50 particles, 30 deg, hbar of 10 cells.", draw,
+                (FILM, *COLUMNS.values()))

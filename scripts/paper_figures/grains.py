@@ -43,13 +43,14 @@ def speeds(studio):
             chosen = depth > ROOMY
             moving = np.hypot(*way[chosen].T)
             found.append((float(moving.mean() / INTERVAL),
-                          float((moving * np.maximum(1, depth[chosen] / (hbar * series.spacing))).sum() / moving.sum())))
+                          float((moving * np.maximum(1,
+                                                     depth[chosen] / (hbar * series.spacing))).sum() / moving.sum())))
     return found[0][0], found[1][0], found[0][1]
 
 
 def evenness(series):
-    """Of the particles in blocks of the grid: chi squared per degree of freedom (below 1 they are more even than chance),
-    the number of blocks, and the mean number in a cell. Only blocks that are deeper than a layer is thick count: in
+    """Of the particles in blocks of the grid: chi squared per degree of freedom (below 1: more even than chance), the
+    number of blocks, and the mean number in a cell. Only blocks that are deeper than a layer is thick count: in
     thinner sand particles below the ground are hidden."""
     places, _ = series.particles(-1)
     west, east, south, north = series.extent
@@ -64,13 +65,15 @@ def evenness(series):
 def draw(studio):
     parts, rows, dense, even = [], [], [], []
     for cells, run in zip(CELLS, AVERAGED):
-        parts.append(studio.trace(run.name, f"part{len(parts)}", "--show", "particles", "--zoom", 2, "--size", "480x360"))
+        parts.append(studio.trace(run.name, f"part{len(parts)}", "--show", "particles", "--zoom", 2, "--size",
+                                  "480x360"))
         with studio.series(run.name) as series:
             value, blocks, in_a_cell = evenness(series)
             dense.append(in_a_cell)
             even.append(value)
             moved = series.report["particles"]
-            rows.append([f"{cells:g} dL", f"{moved['count']}", f"{series.particles(-1)[0].shape[0]}", f"{moved['merged']}", f"{moved['born']}",
+            rows.append([f"{cells:g} dL", f"{moved['count']}", f"{series.particles(-1)[0].shape[0]}",
+                         f"{moved['merged']}", f"{moved['born']}",
                          f"{value:.2f} ({blocks} blocks)"])
     slow, fast, factor = speeds(studio)
     return Outcome(
@@ -79,23 +82,25 @@ def draw(studio):
         claims=[Claim("'improved visual effects as the resolution increases'",
                       "particles in a cell: " + ", ".join(f"{value:.2f}" for value in dense)
                       + "; chi squared over blocks " + ", ".join(f"{value:.2f}" for value in even),
-                      "1, 4 and 16 in a cell within 2 %, and at most a tenth of the unevenness of chance (chi squared per "
-                      "degree of freedom)",
+                      "1, 4 and 16 in a cell within 2 %, and at most a tenth of the unevenness of chance (chi squared "
+                      "per degree of freedom)",
                       all(abs(value * cells**2 - 1) < 0.02 for value, cells in zip(dense, CELLS)) and max(even) <= 0.1,
                       "the look itself is for the eye: see the pictures"),
                 Claim("'particles actually move slower than expected if hbar < h'; a factor h/hbar may mend it",
-                      f"mean speed {slow:.3f} m/s averaged and {fast:.3f} m/s dilute, {fast / slow:.2f} times; mean h/hbar "
-                      f"of the moving sand {factor:.2f}",
+                      f"mean speed {slow:.3f} m/s averaged and {fast:.3f} m/s dilute, {fast / slow:.2f} times; mean "
+                      f"h/hbar of the moving sand {factor:.2f}",
                       "the ratio of the speeds is the mean of h/hbar, weighted by speed, within 15 %",
                       abs(fast / slow / factor - 1) < 0.15,
                       "each particle moves to where the other velocity takes it, so the two do not see the same sand")],
-        tables=[("", ["dl", "particles", "visible", "gone into an older one's cell", "new", "chi squared / d.o.f."], rows)],
+        tables=[("", ["dl", "particles", "visible", "gone into an older one's cell", "new", "chi squared / d.o.f."],
+                 rows)],
         notes=["The column of Fig. 6 with hbar of 10 cells: the paper does not say which sand its Fig. 10 shows.",
                f"Particles move once a frame of {1e3 * INTERVAL:g} ms."])
 
 
 FIGURE = Figure("10", "Fig. 10: particles at three resolutions",
                 "'Figure 10 shows a comparison of our particle-based enrichment with three different resolutions of "
-                "particles [dl = dL, 0.5 dL, 0.25 dL]. We can notice improved visual effects as the resolution increases. "
-                "[...] the particles actually move slower than expected if hbar < h. One possible solution is to multiply "
-                "the advection velocity [...] with a scaling factor, e.g., h/hbar.'", draw, (*AVERAGED, DILUTE))
+                "particles [dl = dL, 0.5 dL, 0.25 dL]. We can notice improved visual effects as the resolution "
+                "increases. [...] the particles actually move slower than expected if hbar < h. One possible solution "
+                "is to multiply the advection velocity [...] with a scaling factor, e.g., h/hbar.'", draw,
+                (*AVERAGED, DILUTE))

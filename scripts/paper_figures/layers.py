@@ -95,7 +95,8 @@ def moment_rows(found):
     for norm in NORMS:
         for time in (0.02, 0.05, 0.1, 0.2, 0.3, 0.5):
             frame = round(time / TIMES[1])
-            rows.append([norm, f"{time:g} s", *[f"{found['full', layer][norm][frame] / found['constant', layer][norm][frame]:.1f}"
+            rows.append([norm, f"{time:g} s",
+                         *[f"{found['full', layer][norm][frame] / found['constant', layer][norm][frame]:.1f}"
                                                 for layer in LAYERS]])
     return rows
 
@@ -117,7 +118,8 @@ def draw(studio):
         claims=[Claim("with hbar = h 'significant differences' between different B; 'this deviation can be greatly "
                       "minimized by setting hbar to a constant value (e.g., 0.2 m)'",
                       f"largest L2 deviation of the run for B = {layers} m: "
-                      + ", ".join(f"{1e3 * main['full', layer]['L2'].max():.0f}" for layer in LAYERS) + " mm with hbar = h, "
+                      + ", ".join(f"{1e3 * main['full', layer]['L2'].max():.0f}"
+                                  for layer in LAYERS) + " mm with hbar = h, "
                       + ", ".join(f"{1e3 * main['constant', layer]['L2'].max():.0f}" for layer in LAYERS)
                       + " mm with 0.2 m", "smaller by at least two times for every B", min(usual) >= 2),
                 Claim("'greatly', taken as ten times", ", ".join(f"{value:.1f}" for value in usual) + " times smaller",
@@ -135,12 +137,13 @@ def draw(studio):
                  ["scheme", "friction", "norm", *[f"B = {layer:g} m" for layer in LAYERS]], ratio_rows(table)),
                 ("The same at single moments (balanced, 30.9 deg):",
                  ["norm", "t", *[f"B = {layer:g} m" for layer in LAYERS]], moment_rows(main))],
-        notes=[f"From {overtaken(main):.2f} s on (B = {LAYERS[-1]:g} m, L2) the deviation is larger with hbar = 0.2 m for a "
-               "while: sand with hbar = h has nearly stopped then, sand with hbar = 0.2 m still moves. At rest the deposits "
-               "are alike with either: friction stops both just below its angle."])
+        notes=[f"From {overtaken(main):.2f} s on (B = {LAYERS[-1]:g} m, L2) the deviation is larger with hbar = 0.2 m "
+               f"for a "
+               "while: sand with hbar = h has nearly stopped then, sand with hbar = 0.2 m still moves. At rest the "
+               "deposits are alike with either: friction stops both just below its angle."])
 
 
 FIGURE = Figure("12", "Fig. 12: a dam break on a layer",
-                "'if we apply the shallowness assumption and set hbar = h, we can notice significant differences of the "
-                "simulation results with different B [...] this deviation can be greatly minimized by setting hbar to a "
-                "constant value (e.g., hbar = 0.2m)'. The deviation is ||h_B - h_0.3||.", draw, RUNS)
+                "'if we apply the shallowness assumption and set hbar = h, we can notice significant differences of "
+                "the simulation results with different B [...] this deviation can be greatly minimized by setting hbar "
+                "to a constant value (e.g., hbar = 0.2m)'. The deviation is ||h_B - h_0.3||.", draw, RUNS)

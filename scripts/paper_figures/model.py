@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Run:
-    """A run of a scene. `scene` is relative to scenes/; `settings` are --set, `options` the rest of the command line."""
+    """A run of a scene. `scene` is relative to scenes/; `settings` are --set, `options` other options."""
     name: str
     scene: str
     settings: tuple = ()

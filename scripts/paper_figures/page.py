@@ -140,7 +140,8 @@ def write_section(form, section, pictures, to_root):
     for name, caption in outcome.pictures:
         parts.append(form.picture(f"{pictures}/{name}", caption))
     parts.append(form.table(["stated", "measured", "agrees", "criterion", "why, or what limits it"],
-                            [[claim.stated + (" (as printed)" if claim.printed else ""), claim.measured, WORDS[claim.agrees], claim.criterion, claim.why]
+                            [[claim.stated + (" (as printed)" if claim.printed else ""), claim.measured,
+                              WORDS[claim.agrees], claim.criterion, claim.why]
                              for claim in outcome.claims]))
     for caption, header, rows in outcome.tables:
         parts += [form.paragraph(caption), form.table(header, rows)]

@@ -23,7 +23,8 @@ def steady(factor):
 
 def variant(name, numerics):
     """The four piles with another scheme; it need not come to rest: 25 s are 3 s after the last grain."""
-    return [Run(f"pile_{angle}_{name}", f"piles/scene_{angle}deg.yaml", (numerics, "time.end=25 s")) for angle in ANGLES]
+    return [Run(f"pile_{angle}_{name}", f"piles/scene_{angle}deg.yaml", (numerics, "time.end=25 s"))
+            for angle in ANGLES]
 
 
 RUNS = (*[Run(f"pile_{angle}", f"piles/scene_{angle}deg.yaml") for angle in ANGLES],
@@ -86,7 +87,7 @@ def draw_schemes(studio):
             with studio.series(name) as series:
                 panel.plot(100 * series.x, 100 * series.depth(-1)[series.y.size // 2], label=label)
                 axis, diagonal, height = measure(series)
-                flanks = "no flank" if np.isnan(axis) else f"{axis:.1f} / {'-' if np.isnan(diagonal) else f'{diagonal:.1f}'}"
+                flanks = "no flank" if np.isnan(axis + diagonal) else f"{axis:.1f} / {diagonal:.1f}"
                 row.append(f"{flanks}; {100 * height:.1f} cm")
         table.append(row)
         panel.set(title=f"{angle}°", xlabel="x [cm]")
@@ -134,6 +135,6 @@ def draw(studio):
 
 
 FIGURE = Figure("5", "Fig. 5: four piles",
-                "'In Figure 5, we demonstrate four different sand piles with four different friction angles 15, 30, 45, "
-                "60 deg, where the correct angle of repose is recovered.' Table 1: 64 x 64, hbar of 5 cells.",
+                "'In Figure 5, we demonstrate four different sand piles with four different friction angles 15, 30, "
+                "45, 60 deg, where the correct angle of repose is recovered.' Table 1: 64 x 64, hbar of 5 cells.",
                 draw, RUNS)

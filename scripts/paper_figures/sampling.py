@@ -1,4 +1,4 @@
-"""Figure 7: what sampling a ray costs (eq. 25 and 26), as a function of the distance of the samples, depth and angle."""
+"""Figure 7: what sampling a ray costs (eq. 25 and 26), over the distance of the samples, depth and angle."""
 
 import numpy as np
 
@@ -118,14 +118,17 @@ def draw(studio):
                    "distance, the depth of a sphere and the angle of a box.")],
         claims=[Claim("'we typically set the sampling distance to be dL': its error is not stated",
                       f"at dL: {central[DISTANCES.index(1)]:.2f} cells in a column (RMS), and up to "
-                      f"{100 * np.abs(one).max():.0f} % of the volume of a sphere {DEPTHS[0]:g} to {DEPTHS[-1]:g} cells deep",
+                      f"{100 * np.abs(one).max():.0f} % of the volume of a sphere {DEPTHS[0]:g} to {DEPTHS[-1]:g} "
+                      f"cells deep",
                       "", None, "the paper gives no number to compare with"),
-                Claim("a sum of samples is a mid-point rule of a step: the error of a column is uniform, distance/sqrt(12)",
+                Claim("a sum of samples is a mid-point rule of a step: the error of a column is uniform, "
+                      "distance/sqrt(12)",
                       f"order {orders.min():.2f} to {orders.max():.2f} over the distances; at dL "
                       f"{central[DISTANCES.index(1)] * np.sqrt(12):.2f} times 1/sqrt(12)",
                       "order 1 to 0.15, and within 15 % of distance/sqrt(12) at dL",
                       np.all(np.abs(orders - 1) < 0.15) and abs(central[DISTANCES.index(1)] * np.sqrt(12) - 1) < 0.15)],
-        tables=[(f"Sphere of radius {RADIUS:g} cells at {DEPTHS.size} depths; box of {2 * HALF[0]:g} x {2 * HALF[1]:g} x "
+        tables=[(f"Sphere of radius {RADIUS:g} cells at {DEPTHS.size} depths; box of {2 * HALF[0]:g} x "
+                 f"{2 * HALF[1]:g} x "
                  f"{2 * HALF[2]:g} cells at {ANGLES.size} angles; sand {BED:g} cells deep:",
                  ["object", "first sample", "distance [cells]", "a column, RMS [cells]", "volume, RMS",
                   "volume, largest"], table),
@@ -133,14 +136,15 @@ def draw(studio):
                  ["distance [mm]", *[f"{spacing:g}" for spacing in CAR]],
                  [["overlapped volume [cm^3]", *[f"{1e6 * value:.2f}" for value in car]],
                   ["off by", *[f"{100 * value:.2f} %" for value in solver]]])],
-        notes=["The exact overlap of columns with sphere and box is in closed form, and eq. 25 and 26 are evaluated beside "
-               "it; the solver takes that closed form for primitives, so it has none of this error there. For meshes it "
-               "samples the signed distance and looks for the crossing between samples: at one cell it is off by "
+        notes=["The exact overlap of columns with sphere and box is in closed form, and eq. 25 and 26 are evaluated "
+               "beside "
+               "it; the solver takes that closed form for primitives, so it has none of this error there. For meshes "
+               "it samples the signed distance and looks for the crossing between samples: at one cell it is off by "
                f"{100 * at_cell:.1f} % of the volume.",
-               "Which point of the ray is the first is not said: both are shown. With the first one at the surface half a "
-               "sample too much counts in every column, an error that does not average out over columns."])
+               "Which point of the ray is the first is not said: both are shown. With the first one at the surface "
+               "half a sample too much counts in every column, an error that does not average out over columns."])
 
 
 FIGURE = Figure("7", "Fig. 7: the error of the ray casting",
-                "'Along the ray within the granular media, equidistant sampling points are selected. We typically set the "
-                "sampling distance to be dL if not otherwise specified' (section 5, eq. 25 and 26).", draw, RUNS)
+                "'Along the ray within the granular media, equidistant sampling points are selected. We typically set "
+                "the sampling distance to be dL if not otherwise specified' (section 5, eq. 25 and 26).", draw, RUNS)

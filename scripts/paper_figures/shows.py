@@ -11,7 +11,8 @@ from .model import Claim, Figure, Outcome, Run
 FINE = "particles={spacing: 0.25 cells}"
 BUTTERFLY = Run("butterfly", "butterfly/scene.yaml", ("grid.cells=[256, 256]", "grid.spacing=7.8125 mm", FINE,
                                                       "time.frame_interval=1.46 s"))
-TRAILS = Run("trails", "trails/scene.yaml", ("grid.cells=[256, 256]", "grid.spacing=3.90625 mm", "grid.origin=[0 m, -5 cm]",
+TRAILS = Run("trails", "trails/scene.yaml", ("grid.cells=[256, 256]", "grid.spacing=3.90625 mm",
+                                             "grid.origin=[0 m, -5 cm]",
                                              "sand.hbar={policy: constant, depth: 10 cells}", FINE,
                                              "time.frame_interval=200 ms"))
 CARS = Run("cars", "cars/scene.yaml", ("grid.cells=[512, 256]", "grid.spacing=5 mm"))
@@ -40,11 +41,12 @@ def butterfly(studio):
         report = series.report
     return Outcome(
         pictures=pictures,
-        claims=[Claim("a butterfly is drawn with a stick", f"surface of the right half: {rough[0]:.1f} mm rough (standard "
-                      "deviation)", "more than 3 mm, of a bed of 60 mm", rough[0] > 3),
+        claims=[Claim("a butterfly is drawn with a stick",
+                      f"surface of the right half: {rough[0]:.1f} mm rough (standard deviation)", "more than 3 mm, of a bed of 60 mm", rough[0] > 3),
                 Claim("'which is then flattened with a long wooden block'",
                       f"{rough[1]:.2f} mm rough behind the block; left half changed by {moved:.2f} mm at most",
-                      "less than 2 % of what it was, and less than 1 mm at the left", rough[1] < 0.02 * rough[0] and moved < 1),
+                      "less than 2 % of what it was, and less than 1 mm at the left",
+                      rough[1] < 0.02 * rough[0] and moved < 1),
                 kept(report)],
         notes=["The drawing is ours (scenes/butterfly). " + MOVES.format(1460)])
 
@@ -68,9 +70,11 @@ def trails(studio):
     return Outcome(
         pictures=[*pictures, (studio.save(figure, "section.png"), "Across the trails.")],
         claims=[Claim("'different trails due to the different shapes of the rigid bodies'",
-                      f"{len(found)} trails; widths " + ", ".join(f"{name} {100 * width:.1f} cm" for name, width in widths.items())
+                      f"{len(found)} trails; widths "
+                      + ", ".join(f"{name} {100 * width:.1f} cm" for name, width in widths.items())
                       + "; depths " + ", ".join(f"{100 * depth:.2f}" for depth in depths) + " cm",
-                      "three trails, each as wide as its body at the level of the bed within 15 %", three and off <= 0.15),
+                      "three trails, each as wide as its body at the level of the bed within 15 %",
+                      three and off <= 0.15),
                 kept(report)],
         notes=["Bodies and bed are those of scenes/trails (31 deg; Table 1: 30). " + MOVES.format(200)])
 
@@ -124,7 +128,8 @@ def writing(studio):
         pictures=pictures,
         claims=[Claim("'the stroke width is initialized to 5 times of the grid spacing'",
                       f"the first stroke: {1e3 * width:.0f} mm wide, {1e3 * depth:.1f} mm deep; the brush is 20 mm, "
-                      f"{brush / spacing:.1f} cells of this grid", "as wide as the brush, and at most by its sides at 30 deg "
+                      f"{brush / spacing:.1f} cells of this grid",
+                      "as wide as the brush, and at most by its sides at 30 deg "
                       f"wider ({1e3 * widest:.0f} mm); half as deep as its tip (9 mm) or deeper",
                       brush <= width <= widest and depth >= tip / 2),
                 kept(report)],
@@ -133,7 +138,8 @@ def writing(studio):
 
 def blades(studio):
     pictures = [(studio.trace("blades", "turning", "--view", -60, 40, times=[2]), "The blades at 2 s."),
-                (studio.trace("blades", "particles", "--show", "particles", "--view", -60, 40), "At rest, in particles.")]
+                (studio.trace("blades", "particles", "--show", "particles", "--view", -60, 40),
+                 "At rest, in particles.")]
     with studio.series("blades") as series:
         depth = series.depth(-1).astype(float)
         x, y = np.meshgrid(series.x, series.y)
@@ -152,9 +158,10 @@ def blades(studio):
     return Outcome(
         pictures=[*pictures, (studio.save(figure, "rings.png"), "A trench, and a ring about it.")],
         claims=[Claim("'interaction between rotating fan blades and the dry granular media' (a picture)",
-                      f"mean depth {100 * trench:.1f} cm where the blades sweep, {100 * rim:.1f} cm in the ring about them; the "
-                      f"lowest in any frame {100 * lowest:.2f} cm (bed 10, underside of the blades 6)",
-                      "a trench more than 1 cm below the bed, a ring more than 1 cm above it, and nothing below the blades",
+                      f"mean depth {100 * trench:.1f} cm where the blades sweep, {100 * rim:.1f} cm in the ring about "
+                      f"them; the lowest in any frame {100 * lowest:.2f} cm (bed 10, underside of the blades 6)",
+                      "a trench more than 1 cm below the bed, a ring more than 1 cm above it, and nothing below the "
+                      "blades",
                       trench < 0.09 and rim > 0.11 and lowest > 0.06 - 1e-6),
                 kept(report)],
         notes=["The axis of the paper's blades is not given; these turn about the vertical. " + MOVES.format(500)])
@@ -163,7 +170,8 @@ def blades(studio):
 TABLE = " Table 1: {}."
 FIGURE_1B = Figure("1b", "Fig. 1, butterfly: drawn and flattened",
                    "'A butterfly is drawn with a wooden stick, which is then flattened by a long wooden block.'"
-                   + TABLE.format("256 x 256, 1024 x 1024 particles, 30 deg, hbar of 10 cells"), butterfly, (BUTTERFLY,))
+                   + TABLE.format("256 x 256, 1024 x 1024 particles, 30 deg, hbar of 10 cells"), butterfly,
+                   (BUTTERFLY,))
 FIGURE_9 = Figure("9", "Fig. 9: three trails",
                   "'three rigid bodies slide on the surface of a sand bed. We can notice different trails due to the "
                   "different shapes of the rigid bodies.'"
@@ -172,8 +180,9 @@ FIGURE_13 = Figure("13", "Fig. 13: a sand table with two cars",
                    "'Figure 13 shows a psychological sand table with two moving cars.'"
                    + TABLE.format("512 x 256, 30 deg, hbar of 10 cells"), cars, (CARS,))
 FIGURE_14 = Figure("14", "Fig. 14: writing in sand",
-                   "'The painting stroke is interpolated with the latest two input points and the stroke width is initialized "
-                   "to 5 times of the grid spacing. [...] we simply consider the interaction as a cylinder.'"
+                   "'The painting stroke is interpolated with the latest two input points and the stroke width is "
+                   "initialized to 5 times of the grid spacing. [...] we simply consider the interaction as a "
+                   "cylinder.'"
                    + TABLE.format("512 x 256, 1024 x 512 particles, 30 deg, hbar of 10 cells, steps of 2 ms"),
                    writing, (WRITING,))
 FIGURE_16 = Figure("16", "Fig. 16: rotating blades",

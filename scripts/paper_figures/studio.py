@@ -47,7 +47,7 @@ class Studio:
         return name
 
     def trace(self, run, name, *options, times=()):
-        """A ray-traced picture of a run, NAME.jpg; without POV-Ray a shaded relief from above. Returns its file name."""
+        """A ray-traced picture of a run, or without POV-Ray a shaded relief from above. Returns its file name."""
         result, drawn = self.result(run), self.folder / f"{name}.png"
         times = ["--time", *map(str, times)] if times else []
         if shutil.which("povray"):
@@ -66,7 +66,8 @@ class Studio:
         """One picture of several of the same size, left to right and down; they go. Returns its file name."""
         parts = [Image.open(self.folder / part) for part in names]
         width, height = parts[0].size
-        whole = Image.new("RGB", (columns * (width + GAP) - GAP, -(-len(parts) // columns) * (height + GAP) - GAP), "white")
+        whole = Image.new("RGB", (columns * (width + GAP) - GAP, -(-len(parts) // columns) * (height + GAP) - GAP),
+                          "white")
         for number, part in enumerate(parts):
             row, column = divmod(number, columns)
             whole.paste(part, (column * (width + GAP), row * (height + GAP)))

@@ -125,22 +125,26 @@ def draw(studio):
             frame = [text(found.get(short, (None,))[0]) for short in ("t_d", "t_i", "t_p")]
             step = [text(found.get(short, (None, None))[1]) for short in ("t_d", "t_i")]
             particles = report.get("particles")
-            table.append([row.figure, cells_of(report, row), str(particles["count"]) if particles else "-", row.hbar, device,
+            table.append([row.figure, cells_of(report, row), str(particles["count"]) if particles else "-", row.hbar,
+                          device,
                           f"{1e3 * report['simulated_time'] / report['steps']:.2f}",
-                          f"{report['steps'] * FRAME / report['simulated_time']:.1f}", " / ".join(frame), " / ".join(step),
+                          f"{report['steps'] * FRAME / report['simulated_time']:.1f}", " / ".join(frame),
+                          " / ".join(step),
                           row.step, " / ".join(row.paper)])
     return Outcome(pictures=[(picture(studio, measured), "Milliseconds a frame of 1/30 s, beside the paper's.")],
                    claims=claims(measured),
-                   tables=[("Times are the stages of run.json on the clock, over the first seconds of each scene (0.3 to 10 "
+                   tables=[("Times are the stages of run.json on the clock, over the first seconds of each scene (0.3 "
+                            "to 10 "
                             "s); a frame is 1/30 s of simulated time. t_p is for one move of all particles a frame.",
                             ["figure", "grid", "particles", "hbar [cells]", "device", "mean step [ms]", "steps a frame",
                              "t_d / t_i / t_p [ms a frame]", "t_d / t_i [ms a step]", "paper: step",
                              "paper: t_d / t_i / t_p [ms a frame]"], table)],
-                   notes=["The paper's times are from a GTX 1060, and its steps in a frame are not given, so that its times "
+                   notes=["The paper's times are from a GTX 1060, and its steps in a frame are not given, so that its "
+                          "times "
                           "and these cannot be divided by each other.",
-                          f"Before the runs other programs kept up to {busiest(studio):.1f} processors busy. On a busy machine all "
-                          "times are too long, and those of several threads many times so: each step waits for the last "
-                          "one."])
+                          f"Before the runs other programs kept up to {busiest(studio):.1f} processors busy. On a busy "
+                          f"machine all times are too long, and those of several threads many times so: each step "
+                          f"waits for the last one."])
 
 
 def claims(measured):
@@ -181,5 +185,5 @@ def picture(studio, measured):
 
 
 FIGURE = Figure("table1", "Table 1: times",
-                "'Statistics and timings per frame of our examples': t_d for the equations, t_i for fluid-solid interactions, "
-                "t_p for particle tracking, in CUDA on an NVIDIA GTX 1060.", draw, runs)
+                "'Statistics and timings per frame of our examples': t_d for the equations, t_i for fluid-solid "
+                "interactions, t_p for particle tracking, in CUDA on an NVIDIA GTX 1060.", draw, runs)
