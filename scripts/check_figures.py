@@ -115,9 +115,12 @@ class Kept(unittest.TestCase):
         again = self.workshop()
         again.make(self.figure)
         self.assertEqual((again.made, again.runs.made), (["front"], 0))
-        changed = Run("flume", COARSE.scene, (*COARSE.settings, "sand.friction_angle=25 deg"))
+        changed = Figure("front", self.figure.title, "", draw_front,
+                         (Run("flume", COARSE.scene, (*COARSE.settings, "sand.friction_angle=25 deg")),))
         other = self.workshop()
-        other.make(Figure("front", self.figure.title, "", draw_front, (changed,)))
+        self.assertTrue(other.stale(changed))
+        self.assertFalse(other.stale(self.figure))
+        other.make(changed)
         self.assertEqual((other.made, other.runs.made), (["front"], 1))
         self.assertEqual(len(list((self.folder / "runs").iterdir())), 1)
 

@@ -57,7 +57,7 @@ def machine():
 
 def write_pages(workshop, folder, made_on):
     """index.html and FIGURES.md in the folder of the figures."""
-    sections = [page.Section(figure, workshop.record(figure)) for figure in FIGURES]
+    sections = [page.Section(figure, workshop.record(figure), workshop.stale(figure)) for figure in FIGURES]
     for form, name in ((page.Html(), "index.html"), (page.Markdown(), "FIGURES.md")):
         text = page.write(form, sections, made_on, "scripts/figures", lambda figure: figure.name,
                           page.relative_root(folder))

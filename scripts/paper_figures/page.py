@@ -19,8 +19,8 @@ WORDS = {True: "yes", False: "no", None: "not comparable"}
 class Section:
     """One figure on the page: the record of its outcome, or None if it was not made."""
 
-    def __init__(self, figure, record):
-        self.figure, self.record = figure, record
+    def __init__(self, figure, record, stale=False):
+        self.figure, self.record, self.stale = figure, record, stale
 
     @property
     def verdict(self):
@@ -136,6 +136,8 @@ def write_section(form, section, pictures, to_root):
         parts.append(form.paragraph(f"Alone: `scripts/figures {figure.name}`"))
     if section.record is None:
         return parts + [form.paragraph("Not made yet.")]
+    if section.stale:
+        parts.append(form.paragraph("Something that it depends on has changed since it was made."))
     outcome = section.record["outcome"]
     for name, caption in outcome.pictures:
         parts.append(form.picture(f"{pictures}/{name}", caption))

@@ -51,6 +51,11 @@ class Workshop:
         record["outcome"] = Outcome(**{**outcome, "claims": [Claim(**claim) for claim in outcome["claims"]]})
         return record
 
+    def stale(self, figure):
+        """Whether a figure was made before something changed that it depends on."""
+        record = self.record(figure)
+        return record is not None and record["key"] != self.key(figure)
+
     def make(self, figure, anew=False):
         """Makes a figure unless it is there."""
         if figure.inputs:
