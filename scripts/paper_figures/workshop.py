@@ -2,6 +2,7 @@
 
 import importlib
 import json
+import shutil
 import sys
 import time
 from pathlib import Path
@@ -69,6 +70,7 @@ class Workshop:
             return
         self.say(figure.title)
         start = time.monotonic()
+        shutil.rmtree(self.folder / figure.name, ignore_errors=True)
         studio = Studio(figure, self.runs, self.folder / figure.name)
         outcome = figure.draw(studio)
         self.missing += [text for text in studio.missing if text not in self.missing]
