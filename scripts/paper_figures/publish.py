@@ -31,8 +31,11 @@ def publish(workshop, sections, machine):
     PICTURES.mkdir(parents=True)
     for section in sections:
         for name, _ in section.record["outcome"].pictures if section.record else []:
-            shrink(workshop.folder / section.figure.name / name, PICTURES)
-    text = page.write(page.Markdown(), sections, machine, "scripts/figures", lambda figure: "figures", "..")
+            folder = PICTURES / section.figure.name
+            folder.mkdir(exist_ok=True)
+            shrink(workshop.folder / section.figure.name / name, folder)
+    text = page.write(page.Markdown(), sections, machine, "scripts/figures", lambda figure: f"figures/{figure.name}",
+                      "..")
     PAGE.write_text(text)
-    size = sum(path.stat().st_size for path in [PAGE, *PICTURES.iterdir()])
+    size = sum(path.stat().st_size for path in [PAGE, *PICTURES.rglob("*.*")])
     workshop.say(f"{PAGE}: {size / 1e6:.2f} MB with its pictures")

@@ -42,7 +42,8 @@ def butterfly(studio):
     return Outcome(
         pictures=pictures,
         claims=[Claim("a butterfly is drawn with a stick",
-                      f"surface of the right half: {rough[0]:.1f} mm rough (standard deviation)", "more than 3 mm, of a bed of 60 mm", rough[0] > 3),
+                      f"surface of the right half: {rough[0]:.1f} mm rough (standard deviation)",
+                      "more than 3 mm, of a bed of 60 mm", rough[0] > 3),
                 Claim("'which is then flattened with a long wooden block'",
                       f"{rough[1]:.2f} mm rough behind the block; left half changed by {moved:.2f} mm at most",
                       "less than 2 % of what it was, and less than 1 mm at the left",

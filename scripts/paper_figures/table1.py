@@ -107,9 +107,11 @@ def read(studio, row, device):
     return json.loads((studio.result(timed(row, device).name) / "run.json").read_text())
 
 
-def busiest(studio):
-    """Processors that other programs kept busy before a run: the most over all runs."""
-    return max(float((studio.result(run.name) / BUSY).read_text()) for run in studio.figure.planned)
+def busy_note(studio, prefix=""):
+    """How busy other programs kept the machine before the figure's timed runs, in a sentence."""
+    most = max(float((studio.result(run.name) / BUSY).read_text()) for run in studio.figure.planned
+               if run.name.startswith(prefix))
+    return f"Before the timed runs other programs kept up to {most:.1f} processors busy."
 
 
 def text(value):
@@ -142,9 +144,8 @@ def draw(studio):
                    notes=["The paper's times are from a GTX 1060, and its steps in a frame are not given, so that its "
                           "times "
                           "and these cannot be divided by each other.",
-                          f"Before the runs other programs kept up to {busiest(studio):.1f} processors busy. On a busy "
-                          f"machine all times are too long, and those of several threads many times so: each step "
-                          f"waits for the last one."])
+                          busy_note(studio) + " On a busy machine all times are too long, and those of several threads "
+                          "many times so: each step waits for the last one."])
 
 
 def claims(measured):
