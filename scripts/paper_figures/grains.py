@@ -92,7 +92,7 @@ def draw(studio):
                       "the ratio of the speeds is the mean of h/hbar, weighted by speed, within 15 %",
                       abs(fast / slow / factor - 1) < 0.15,
                       "each particle moves to where the other velocity takes it, so the two do not see the same sand")],
-        tables=[("", ["dl", "particles", "visible", "gone into an older one's cell", "new", "chi squared / d.o.f."],
+        tables=[("", ["dl", "particles", "visible", "merged", "born", "chi squared / d.o.f."],
                  rows)],
         notes=["The column of Fig. 6 with hbar of 10 cells: the paper does not say which sand its Fig. 10 shows.",
                f"Particles move once a frame of {1e3 * INTERVAL:g} ms."])
