@@ -130,6 +130,14 @@ class Kept(unittest.TestCase):
         self.assertEqual(sorted(path.name for path in folder.iterdir()), ["busy.txt", "run.json"])
         self.assertTrue(0 <= float((folder / "busy.txt").read_text()) <= os.cpu_count())
 
+    def test_timed_runs_are_made_again_on_request_others_are_kept(self):
+        timed = Run("timed", COARSE.scene, COARSE.settings, timed=True)
+        for retime, made in ((False, 2), (False, 0), (True, 1)):
+            runs = Runs(self.folder, sandsim(), lambda text: None, retime)
+            for run in (timed, COARSE, timed):
+                runs.result(run)
+            self.assertEqual(runs.made, made)
+
     def test_a_run_that_fails_says_why_and_leaves_no_result(self):
         runs = Runs(self.folder, sandsim(), lambda text: None)
         bad = Run("bad", COARSE.scene, ("sand.friction_angle=200 deg",))
@@ -191,7 +199,8 @@ class Page(unittest.TestCase):
             Image.new("RGB", (2000, 1000), "red").save(source)
             (Path(folder) / "out").mkdir()
             name = shrink(source, Path(folder) / "out")
-            self.assertEqual(Image.open(Path(folder) / "out" / name).size, (880, 440))
+            with Image.open(Path(folder) / "out" / name) as picture:
+                self.assertEqual(picture.size, (880, 440))
 
     def test_a_verdict_is_on_the_claims_and_apart_on_the_print(self):
         section = next(section for section in self.sections if section.record)

@@ -70,7 +70,8 @@ def options():
     parser.add_argument("names", nargs="*", metavar="NAME", help="figures to make (default: all)")
     parser.add_argument("--list", action="store_true", help="name the figures and end")
     parser.add_argument("--check", action="store_true", help="check the names and end")
-    parser.add_argument("--anew", action="store_true", help="draw again what has not changed; kept runs are used")
+    parser.add_argument("--anew", action="store_true", help="draw again what has not changed, and time again what is "
+                                                            "timed; other runs are kept")
     parser.add_argument("--publish", action="store_true", help="write scenes/FIGURES.md with pictures of modest size")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "results/figures", help="folder of the page")
     try:
@@ -89,7 +90,7 @@ def main():
         return 0
     start = time.monotonic()
     folder = given.output.resolve()
-    runs = Runs(folder / "runs", sandsim(), say)
+    runs = Runs(folder / "runs", sandsim(), say, retime=given.anew)
     workshop = Workshop(folder, runs, say)
     failed = []
     for figure in figures:

@@ -59,10 +59,14 @@ def files_of(scene):
 
 
 class Runs:
-    """Results in a folder, one for each run, found again by the hash of all that they depend on."""
+    """Results in a folder, one for each run, found again by the hash of all that they depend on.
 
-    def __init__(self, folder, program, say):
+    `retime`: timed runs are made once more, since the machine may have been busy.
+    """
+
+    def __init__(self, folder, program, say, retime=False):
         self.folder, self.program, self.say = Path(folder), Path(program), say
+        self._old = set(self.folder.glob("*")) if retime else set()
         self.made, self.found = 0, 0
         self._program = hashlib.sha256(self.program.read_bytes()).hexdigest()
 
@@ -76,7 +80,7 @@ class Runs:
     def result(self, run):
         """The folder of a result; runs the scene unless it is there."""
         folder = self.folder / f"{run.name}-{self.key(run)[:16]}"
-        if (folder / "run.json").is_file():
+        if (folder / "run.json").is_file() and not (run.timed and folder in self._old):
             self.found += 1
             return folder
         for old in self.folder.glob(f"{run.name}-" + "[0-9a-f]" * 16):
@@ -97,5 +101,6 @@ class Runs:
                     path.unlink()
             (unfinished / BUSY).write_text(f"{others:.2f}\n")
         unfinished.rename(folder)
+        self._old.discard(folder)
         self.made += 1
         return folder
