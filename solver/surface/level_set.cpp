@@ -162,7 +162,7 @@ DistanceGrid level_set_grid(const SurfaceMesh& mesh, const LevelSetGrid& samplin
 
 DistanceGrid level_set(SurfaceMesh mesh, const LevelSetGrid& sampling) {
   DistanceGrid grid = level_set_grid(mesh, sampling);
-  const auto [nx, ny, nz] = grid.points;
+  const int nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
   grid.values.assign(static_cast<std::size_t>(nx) * ny * nz, static_cast<float>(sampling.band));
   if (mesh.shape.triangles.empty()) return grid;
   const Columns columns(mesh, grid, sampling.band);
