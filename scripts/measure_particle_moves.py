@@ -20,7 +20,8 @@ def sample(field, x, y):
     x, y = np.clip(x, 0, nx - 1), np.clip(y, 0, ny - 1)
     i, j = np.minimum(x.astype(int), nx - 2), np.minimum(y.astype(int), ny - 2)
     s, t = x - i, y - j
-    return (1 - t) * ((1 - s) * field[j, i] + s * field[j, i + 1]) + t * ((1 - s) * field[j + 1, i] + s * field[j + 1, i + 1])
+    below, above = ((1 - s) * field[row, i] + s * field[row, i + 1] for row in (j, j + 1))
+    return (1 - t) * below + t * above
 
 
 def carry(places, u, v, time, hops):

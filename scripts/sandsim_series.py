@@ -101,9 +101,10 @@ class Series:
         if not self.has_objects:
             return {}
         index = self._index(frame)
-        place = zip(self._h5["object_name"][:], self._h5["object_present"][index], self._h5["object_position"][index],
-                    self._h5["object_rotation"][index])
-        return {_text(name): (position, rotation_matrix(quaternion)) for name, there, position, quaternion in place if there}
+        there = self._h5["object_present"][index] != 0
+        names = map(_text, self._h5["object_name"][:][there])
+        rotations = map(rotation_matrix, self._h5["object_rotation"][index][there])
+        return dict(zip(names, zip(self._h5["object_position"][index][there], rotations)))
 
     @property
     def has_objects(self):

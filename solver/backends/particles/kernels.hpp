@@ -93,9 +93,17 @@ struct WayKernel {
       ways[k] = {i.momentum(x), j.momentum(y)};
       const float way = physics::maximum(physics::absolute(x), physics::absolute(y));
       if (way > 0.0f) {
-        block.raise(&extent->longest, way);
-        block.lower(&extent->i0, column - 1), block.lower(&extent->i1, 1 - column);
-        block.lower(&extent->j0, row - 1), block.lower(&extent->j1, 1 - row);
+        // Few cells still find a bound to move: looking first spares the others their turn at the same number.
+        const auto lower = [&](std::int64_t* bound, std::int64_t value) {
+          if (value < block.read(bound)) {
+            block.lower(bound, value);
+          }
+        };
+        if (way > block.read(&extent->longest)) {
+          block.raise(&extent->longest, way);
+        }
+        lower(&extent->i0, column - 1), lower(&extent->i1, 1 - column);
+        lower(&extent->j0, row - 1), lower(&extent->j1, 1 - row);
       }
     });
   }

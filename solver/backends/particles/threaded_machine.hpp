@@ -36,6 +36,11 @@ class ThreadedBlock {
   void lower(std::int64_t* target, std::int64_t value) {
     replace(target, value, [](std::int64_t now, std::int64_t better) { return better < now; });
   }
+  /// Reads what other blocks of the launch may have written.
+  template <class T>
+  T read(T* source) const {
+    return std::atomic_ref(*source).load(std::memory_order_relaxed);
+  }
   void add(std::int64_t* target, std::int64_t value) {
     if (alone_) {
       *target += value;
