@@ -1,16 +1,12 @@
-// A machine for the particles of the CPU backend: the blocks of a launch run on several threads. The same members as
-// tiles::HostMachine has, as far as particles need them; what threads do to one number at a time does not depend on
-// their order.
+// A machine for the particles of the CPU backend: the host, with the blocks of a launch on several threads. What
+// threads do to one number at a time does not depend on their order.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <type_traits>
 
-#include "solver/backends/tiles/block.hpp"
+#include "solver/backends/tiles/host_machine.hpp"
 
 namespace sandsim::particles {
 
@@ -66,38 +62,9 @@ class ThreadedBlock {
   bool alone_;
 };
 
-class ThreadedMachine {
+class ThreadedMachine : public tiles::HostMachine {
  public:
-  template <class T>
-  class Array {
-   public:
-    Array() = default;
-    Array(const ThreadedMachine&, std::size_t count) : values_(std::make_unique<T[]>(count)), size_(count) {}
-    T* data() const { return values_.get(); }
-    std::size_t size() const { return size_; }
-
-   private:
-    std::unique_ptr<T[]> values_;
-    std::size_t size_ = 0;
-  };
-  template <class T>
-  using HostArray = Array<T>;
-
   explicit ThreadedMachine(int threads) : threads_(threads) {}
-
-  template <class T>
-  void upload(T* to, const std::type_identity_t<T>* from, std::size_t count) {
-    std::copy_n(from, count, to);
-  }
-  template <class T>
-  void download(T* to, const std::type_identity_t<T>* from, std::size_t count) {
-    std::copy_n(from, count, to);
-  }
-  template <class T>
-  void begin_copy(T* to, const std::type_identity_t<T>* from, std::size_t count) {
-    std::copy_n(from, count, to);
-  }
-  void finish_copies() {}
 
   template <class Kernel>
   void launch(const Kernel& kernel, tiles::GridShape grid, tiles::BlockShape shape, std::size_t) {
