@@ -21,6 +21,10 @@ void write_hdf5_atomically(const std::filesystem::path& path, const std::functio
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
     throw OutputError(fmt::format("{}: {}", path.string(), failure.what()));
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw;
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "io/hdf5/hdf5.hpp"
 #include "io/output/atomic_file.hpp"
+#include "io/output/atomic_hdf5.hpp"
 #include "io/output/version.hpp"
 #include "solver/errors.hpp"
 
@@ -99,25 +100,22 @@ std::size_t bytes_of(const Checkpoint& checkpoint) {
   return bytes;
 }
 
-void write_content(const fs::path& path, const Checkpoint& checkpoint, const std::string& scene_hash) {
-  Handle file = hdf5::create_file(path);
-  hdf5::write_attribute(file.id(), "format_version", format_version);
-  hdf5::write_attribute(file.id(), "source", source_line());
-  hdf5::write_attribute(file.id(), "scene_hash", scene_hash);
-  hdf5::write_attribute(file.id(), "smallest_step_cause", checkpoint.smallest_step.cause);
-  visit_numbers(checkpoint, [&file](const char* name, const auto& number) {
+void write_content(hid_t file, const Checkpoint& checkpoint, const std::string& scene_hash) {
+  hdf5::write_attribute(file, "format_version", format_version);
+  hdf5::write_attribute(file, "source", source_line());
+  hdf5::write_attribute(file, "scene_hash", scene_hash);
+  hdf5::write_attribute(file, "smallest_step_cause", checkpoint.smallest_step.cause);
+  visit_numbers(checkpoint, [file](const char* name, const auto& number) {
     if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(number)>>) {
-      hdf5::write_attribute(file.id(), name, number);
+      hdf5::write_attribute(file, name, number);
     } else {
-      hdf5::write_attribute(file.id(), name, std::int64_t{number});
+      hdf5::write_attribute(file, name, std::int64_t{number});
     }
   });
-  visit_fields(checkpoint, [&file](const char* name, const FieldValues& field) {
-    std::visit([&](const auto& values) { write_field(file.id(), name, values); }, field);
+  visit_fields(checkpoint, [file](const char* name, const FieldValues& field) {
+    std::visit([&](const auto& values) { write_field(file, name, values); }, field);
   });
-  visit_particles(checkpoint, [&file](const char* name, const auto& values) { write_field(file.id(), name, values); });
-  require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flush");
-  file.close("close the file");
+  visit_particles(checkpoint, [file](const char* name, const auto& values) { write_field(file, name, values); });
 }
 
 /// The maxima are there only if the scene asks for them, the bed and what is buried only with objects that cover sand.
@@ -170,24 +168,9 @@ void require_same_scene(hid_t file, const std::string& scene_hash, const fs::pat
 }  // namespace
 
 void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint, const std::string& scene_hash) {
-  fs::path temporary = path;
-  temporary += ".tmp";
-  try {
-    const hdf5::Session session;
-    const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    require_free_space(directory, static_cast<double>(bytes_of(checkpoint)));
-    write_content(temporary, checkpoint, scene_hash);
-    sync_file(temporary);
-    rename_durably(temporary, path);
-  } catch (const hdf5::Failure& failure) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw OutputError(fmt::format("{}: {}", path.string(), failure.what()));
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
-  }
+  const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  require_free_space(directory, static_cast<double>(bytes_of(checkpoint)));
+  write_hdf5_atomically(path, [&](hid_t file) { write_content(file, checkpoint, scene_hash); });
 }
 
 Checkpoint read_checkpoint(const fs::path& path, const std::string& scene_hash) {
