@@ -127,6 +127,7 @@ class Backend {
   virtual void move_particles(double dt) = 0;
   virtual ParticleArrays particles() const = 0;
   virtual void set_particles(const ParticleArrays& particles) = 0;
+  virtual ParticleReport particle_report() const = 0;
 
   /// Begins to take a copy of the present state; the next steps may follow at once.
   virtual void begin_capture(const CaptureRequest& request) = 0;

@@ -10,4 +10,8 @@ ParticleGrid::ParticleGrid(const Grid& grid, const Particles& particles)
   rows = grid.cells[1] * refinement;
 }
 
+std::int64_t particle_count(const Grid& grid, const std::optional<Particles>& particles) {
+  return particles ? ParticleGrid(grid, *particles).count() : 0;
+}
+
 }  // namespace sandsim

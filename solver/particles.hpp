@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "solver/report.hpp"
@@ -24,6 +25,12 @@ struct ParticleGrid {
 
   std::int64_t count() const { return static_cast<std::int64_t>(columns) * rows * layers; }
 };
+
+/// 0 without particles.
+std::int64_t particle_count(const Grid& grid, const std::optional<Particles>& particles);
+
+/// Bytes of a particle in a frame: its position, id and visibility.
+inline constexpr std::int64_t particle_frame_bytes = 3 * sizeof(float) + sizeof(std::int64_t) + sizeof(std::uint8_t);
 
 /// All that is needed to go on moving particles bit for bit.
 struct ParticleArrays {

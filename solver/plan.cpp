@@ -26,16 +26,6 @@ std::vector<std::string> stage_names(const Scene& scene) {
   return names;
 }
 
-namespace {
-
-/// Of the particles in a frame: position, id, visible.
-std::int64_t particle_bytes(const Scene& scene) {
-  constexpr std::int64_t one = 3 * sizeof(float) + sizeof(std::int64_t) + 1;
-  return scene.particles ? one * ParticleGrid(scene.grid, *scene.particles).count() : 0;
-}
-
-}  // namespace
-
 Plan plan(const Scene& scene) {
   const InitialState initial = build_initial_state(scene);
   const auto backend = make_backend(backend_config(scene, 0), initial, Device::cpu);
@@ -54,7 +44,7 @@ Plan plan(const Scene& scene) {
   constexpr std::int64_t numbers_a_frame = 9 * 8;  // FrameStatistics
   plan.output_bytes =
       cells * word * (plan.frames * static_cast<std::int64_t>(output_field_names(scene).size()) + once) +
-      plan.frames * (numbers_a_frame + particle_bytes(scene));
+      plan.frames * (numbers_a_frame + particle_frame_bytes * particle_count(scene.grid, scene.particles));
   return plan;
 }
 

@@ -393,7 +393,7 @@ void Run::finish() {
   report_.ledger.final = backend_->statistics().volume;
   report_.stop_time = report_.at_rest ? loop_.last_motion : 0.0;
   if (particles_ != nullptr) {
-    report_.particles = backend_->particles().report;
+    report_.particles = backend_->particle_report();
   }
   report_.max_slope_violation = backend_->slope_violation();
   double solving = 0.0;

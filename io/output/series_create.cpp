@@ -33,7 +33,7 @@ hsize_t length_of(Dimension dimension, const Scene& scene) {
     case Dimension::object:
       return coupled_object_count(scene);
     case Dimension::particle:
-      return scene.particles ? static_cast<hsize_t>(ParticleGrid(scene.grid, *scene.particles).count()) : 0;
+      return static_cast<hsize_t>(particle_count(scene.grid, scene.particles));
     case Dimension::axis:
       return 3;
     case Dimension::quaternion:
@@ -62,8 +62,7 @@ Handle creation_properties(const Variable& variable, const Scene& scene) {
   if (!variable.over_time() && !variable.in_chunks()) return properties;
   const std::vector<hsize_t> chunk = chunk_extent(variable, scene);
   require(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), tried);
-  if (scene.output.compression == Compression::gzip &&
-      (variable.dimensions.back() == Dimension::x || variable.over_particles())) {
+  if (scene.output.compression == Compression::gzip && variable.in_chunks()) {
     require(H5Pset_shuffle(properties.id()), tried);
     // Higher levels take many times longer and gain a few percent.
     require(H5Pset_deflate(properties.id(), 1), tried);
@@ -133,30 +132,35 @@ void write_doubles(hid_t file, const std::string& name, const std::vector<double
   hdf5::write(hdf5::open_dataset(file, name).id(), H5T_NATIVE_DOUBLE, values.data());
 }
 
-void write_object_names(hid_t file, const Scene& scene) {
-  std::vector<std::int64_t> number;
-  std::vector<const char*> name;
-  for (const KinematicObject& object : scene.objects) {
-    if (object.is_terrain()) continue;
-    number.push_back(static_cast<std::int64_t>(number.size()));
-    name.push_back(object.name.c_str());
+/// Numbers the items of a dimension, and names them.
+void write_names(hid_t file, const std::string& dimension, const std::vector<std::string>& names) {
+  std::vector<std::int64_t> numbers;
+  std::vector<const char*> texts;
+  for (const std::string& name : names) {
+    numbers.push_back(static_cast<std::int64_t>(numbers.size()));
+    texts.push_back(name.c_str());
   }
-  hdf5::write(hdf5::open_dataset(file, "object").id(), H5T_NATIVE_INT64, number.data());
-  hdf5::write(hdf5::open_dataset(file, "object_name").id(), variable_text_type().id(), name.data());
+  hdf5::write(hdf5::open_dataset(file, dimension).id(), H5T_NATIVE_INT64, numbers.data());
+  hdf5::write(hdf5::open_dataset(file, dimension + "_name").id(), variable_text_type().id(), texts.data());
+}
+
+void write_object_names(hid_t file, const std::vector<KinematicObject>& objects) {
+  std::vector<std::string> names;
+  for (const KinematicObject& object : objects) {
+    if (!object.is_terrain()) names.push_back(object.name);
+  }
+  write_names(file, "object", names);
 }
 
 void write_probe_coordinates(hid_t file, const std::vector<Probe>& probes) {
-  std::vector<std::int64_t> number;
-  std::vector<const char*> name;
+  std::vector<std::string> names;
   std::vector<double> x, y;
   for (const Probe& probe : probes) {
-    number.push_back(static_cast<std::int64_t>(number.size()));
-    name.push_back(probe.name.c_str());
+    names.push_back(probe.name);
     x.push_back(probe.at[0]);
     y.push_back(probe.at[1]);
   }
-  hdf5::write(hdf5::open_dataset(file, "probe").id(), H5T_NATIVE_INT64, number.data());
-  hdf5::write(hdf5::open_dataset(file, "probe_name").id(), variable_text_type().id(), name.data());
+  write_names(file, "probe", names);
   write_doubles(file, "probe_x", x);
   write_doubles(file, "probe_y", y);
 }
@@ -186,7 +190,7 @@ std::vector<hsize_t> chunk_extent(const Variable& variable, const Scene& scene) 
     const bool last = axis + 1 == size.size();
     if (variable.dimensions[axis] == Dimension::time) {
       // Numbers per frame are gathered; a field has a chunk of its own in every frame.
-      chunk[axis] = variable.dimensions.back() == Dimension::x || variable.over_particles() ? 1 : side;
+      chunk[axis] = variable.in_chunks() ? 1 : side;
     } else if (variable.dimensions[axis] == Dimension::particle) {
       chunk[axis] = std::min(size[axis], side * side);
     } else {
@@ -237,7 +241,7 @@ void write_coordinates(hid_t file, const Scene& scene) {
   write_doubles(file, "x", x);
   write_doubles(file, "y", y);
   if (!scene.output.probes.empty()) write_probe_coordinates(file, scene.output.probes);
-  if (coupled_object_count(scene) > 0) write_object_names(file, scene);
+  if (coupled_object_count(scene) > 0) write_object_names(file, scene.objects);
   if (scene.reference && !scene.reference->front_depths.empty()) {
     write_doubles(file, "front_depth", scene.reference->front_depths);
   }

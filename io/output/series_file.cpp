@@ -42,8 +42,7 @@ SeriesFile::SeriesFile(const std::filesystem::path& path, const Scene& scene, hd
       exact_reference_(scene.reference && scene.reference->exact),
       front_count_(scene.reference ? scene.reference->front_depths.size() : 0),
       object_count_(coupled_object_count(scene)),
-      particle_count_(scene.particles ? static_cast<std::size_t>(ParticleGrid(scene.grid, *scene.particles).count())
-                                      : 0),
+      particle_count_(static_cast<std::size_t>(particle_count(scene.grid, scene.particles))),
       grid_{static_cast<hsize_t>(scene.grid.cells[1]), static_cast<hsize_t>(scene.grid.cells[0])},
       file_(std::move(file)) {
   const std::vector<Variable> layout = series_layout(scene);

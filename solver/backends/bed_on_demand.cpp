@@ -36,6 +36,7 @@ class BedOnDemand final : public Backend {
   void move_particles(double dt) override { backend_->move_particles(dt); }
   ParticleArrays particles() const override { return backend_->particles(); }
   void set_particles(const ParticleArrays& particles) override { backend_->set_particles(particles); }
+  ParticleReport particle_report() const override { return backend_->particle_report(); }
   void begin_capture(const CaptureRequest& request) override { backend_->begin_capture(request); }
   Capture end_capture() override { return backend_->end_capture(); }
   StepOutcome step(double dt) override { return backend_->step(dt); }

@@ -13,8 +13,8 @@ std::string mebibytes(double bytes) {
 }
 
 double particle_bytes(const BackendConfig& config) {
-  constexpr double one = 52.0 + 21.0;  // where they are and where they go, and a frame of them [B]
-  return config.particles ? one * static_cast<double>(ParticleGrid(config.grid, *config.particles).count()) : 0.0;
+  constexpr double one = 52.0 + particle_frame_bytes;  // where they are and where they go, and a frame of them
+  return one * static_cast<double>(particle_count(config.grid, config.particles));
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ class ParticleStage {
 
   ParticleArrays arrays() const;
   void set(const ParticleArrays& arrays);
+  const ParticleReport& report() const { return report_; }
   std::size_t bytes() const { return bytes_; }
 
  private:

@@ -58,6 +58,7 @@ class TileBackend final : public Backend {
   void move_particles(double dt) override;
   ParticleArrays particles() const override { return particles_->arrays(); }
   void set_particles(const ParticleArrays& particles) override { particles_->set(particles); }
+  ParticleReport particle_report() const override { return particles_->report(); }
   void begin_capture(const CaptureRequest& request) override;
   Capture end_capture() override;
   StepOutcome step(double dt) override;
