@@ -28,8 +28,8 @@ struct ParticleView {
   // By the cell that they enter: the best claim, and the best of those that were pushed there from a full cell.
   std::int64_t *claims = nullptr, *pushed_claims = nullptr;
 
-  SANDSIM_HD std::int64_t cell(int column, int row) const {
-    return static_cast<std::int64_t>(row) * grid.columns + column;
+  SANDSIM_HD std::int64_t cell(int column, int row, int layer) const {
+    return (static_cast<std::int64_t>(layer) * grid.rows + row) * grid.columns + column;
   }
 };
 
@@ -41,15 +41,15 @@ struct ParticleBox {
   int rows() const { return row1 - row0; }
 };
 
-/// visit(column, row) of the thread's particle; `row` counts through the layers.
+/// visit(column, row, layer) of the thread's particle.
 template <class Block, class Visit>
-SANDSIM_HD void each_particle(Block& block, const ParticleBox& box, int rows_a_layer, const Visit& visit) {
+SANDSIM_HD void each_particle(Block& block, const ParticleBox& box, const Visit& visit) {
   const int rows = box.row1 - box.row0;
-  const int layer = block.x() / rows, row = layer * rows_a_layer + box.row0 + (block.x() - layer * rows);
+  const int layer = block.x() / rows, row = box.row0 + (block.x() - layer * rows);
   const int first = box.column0 + block.y() * block.width();
   block.each([&](int thread, int) {
     if (first + thread < box.column1) {
-      visit(first + thread, row);
+      visit(first + thread, row, layer);
     }
   });
 }
@@ -123,11 +123,10 @@ struct MoveKernel {
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
-    const int refinement = particles.grid.refinement, rows = particles.grid.rows;
-    each_particle(block, box, rows, [&](int column, int row) {
-      const int layer = row / rows;
-      const std::int64_t k = particles.cell(column, row), id = particles.id[k];
-      const Place from_x{column, particles.offset_x[k]}, from_y{row - layer * rows, particles.offset_y[k]};
+    const int refinement = particles.grid.refinement;
+    each_particle(block, box, [&](int column, int row, int layer) {
+      const std::int64_t k = particles.cell(column, row, layer), id = particles.id[k];
+      const Place from_x{column, particles.offset_x[k]}, from_y{row, particles.offset_y[k]};
       Place x = in_sand(from_x, refinement), y = in_sand(from_y, refinement);
       bool moved = false;
       particles.moved_id[k] = id;
@@ -139,7 +138,7 @@ struct MoveKernel {
       const Place to_x = moved ? in_particles(x, refinement) : from_x;
       const Place to_y = moved ? in_particles(y, refinement) : from_y;
       particles.moved_x[k] = to_x.offset, particles.moved_y[k] = to_y.offset;
-      const std::int64_t to = particles.cell(to_x.cell, layer * rows + to_y.cell);
+      const std::int64_t to = particles.cell(to_x.cell, to_y.cell, layer);
       particles.entered[k] = static_cast<int>(to);
       block.lower(&particles.claims[to], claim_of(id, k));
     });
@@ -190,21 +189,22 @@ struct PushKernel {
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
-    each_particle(block, box, particles.grid.rows, [&](int column, int row) {
-      const std::int64_t k = particles.cell(column, row);
+    each_particle(block, box, [&](int column, int row, int layer) {
+      const std::int64_t k = particles.cell(column, row, layer);
       const std::int64_t entered = particles.entered[k], claim = claim_of(particles.moved_id[k], k);
       if (entered < 0 || particles.claims[entered] == claim) {
         return;
       }
       const float x = particles.moved_x[k], y = particles.moved_y[k];
-      const int to_row = static_cast<int>(entered / particles.grid.columns);
-      const int to_column = static_cast<int>(entered - particles.cell(0, to_row));
+      const std::int64_t in_layer = entered - particles.cell(0, 0, layer);
+      const int to_row = static_cast<int>(in_layer / particles.grid.columns);
+      const int to_column = static_cast<int>(in_layer % particles.grid.columns);
       for (int choice = 0; choice < 8; ++choice) {
         int beside_x, beside_y;
         choose(choice, x, y, beside_x, beside_y);
-        if (is_empty(to_column + beside_x, to_row + beside_y, to_row / particles.grid.rows)) {
+        if (is_empty(to_column + beside_x, to_row + beside_y, layer)) {
           particles.moved_x[k] = pushed(x, beside_x), particles.moved_y[k] = pushed(y, beside_y);
-          block.lower(&particles.pushed_claims[particles.cell(to_column + beside_x, to_row + beside_y)], claim);
+          block.lower(&particles.pushed_claims[particles.cell(to_column + beside_x, to_row + beside_y, layer)], claim);
           return;
         }
       }
@@ -222,11 +222,10 @@ struct PushKernel {
     beside_x = (x < 0.5f ? -1 : 1) * (x_first ? first : second);
     beside_y = (y < 0.5f ? -1 : 1) * (x_first ? second : first);
   }
-  /// A cell of the same layer that the launch goes over and no particle has entered by itself.
+  /// A cell that the launch goes over and no particle has entered by itself.
   SANDSIM_HD bool is_empty(int column, int row, int layer) const {
-    const int in_layer = row - layer * particles.grid.rows;
-    return column >= box.column0 && column < box.column1 && in_layer >= box.row0 && in_layer < box.row1 &&
-           particles.claims[particles.cell(column, row)] == no_claim;
+    return column >= box.column0 && column < box.column1 && row >= box.row0 && row < box.row1 &&
+           particles.claims[particles.cell(column, row, layer)] == no_claim;
   }
   /// An offset in the cell `to` cells further: in its nearer half, ordered as before.
   static SANDSIM_HD float pushed(float offset, int to) {
@@ -245,8 +244,8 @@ struct SettleKernel {
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
-    each_particle(block, box, particles.grid.rows, [&](int column, int row) {
-      const std::int64_t cell = particles.cell(column, row);
+    each_particle(block, box, [&](int column, int row, int layer) {
+      const std::int64_t cell = particles.cell(column, row, layer);
       const std::int64_t first = particles.claims[cell];
       const std::int64_t claim = first != no_claim ? first : particles.pushed_claims[cell];
       particles.claims[cell] = particles.pushed_claims[cell] = no_claim;
@@ -280,11 +279,10 @@ struct ShowKernel {
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
-    const int refinement = particles.grid.refinement, rows = particles.grid.rows;
-    each_particle(block, box, rows, [&](int column, int row) {
-      const int layer = row / rows;
-      const std::int64_t k = particles.cell(column, row);
-      const Place in_x{column, particles.offset_x[k]}, in_y{row - layer * rows, particles.offset_y[k]};
+    const int refinement = particles.grid.refinement;
+    each_particle(block, box, [&](int column, int row, int layer) {
+      const std::int64_t k = particles.cell(column, row, layer);
+      const Place in_x{column, particles.offset_x[k]}, in_y{row, particles.offset_y[k]};
       const Place x = in_sand(in_x, refinement), y = in_sand(in_y, refinement);
       const Stencil sx = stencil(x), sy = stencil(y);
       const int i0 = image_of(sx.lower, sand.nx, sand.sides.x_min, sand.sides.x_max).index;

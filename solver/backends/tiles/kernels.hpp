@@ -147,6 +147,21 @@ struct FindSpeedKernel {
   }
 };
 
+/// visit(k, i, j, h, hu, hv, b) of every cell of a state, k-th in rows of nx, with the bed that the flow sees.
+template <class Block, class Tile, class Visit>
+SANDSIM_HD void each_cell_state(Block& block, const Tile& tile, int current, const Visit& visit) {
+  using R = typename Tile::Real;
+  block.each([&](int x, int) {
+    const auto& f = tile.fields;
+    const StateView<R>& state = f.state(current);
+    each_cell_of(block, f, x, [&](std::int64_t k) {
+      const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
+      const std::ptrdiff_t at = state.at(i, j);
+      visit(k, i, j, state.h[at], state.hu[at], state.hv[at], Tile::flat ? R(0) : f.bed.row(j)[i]);
+    });
+  });
+}
+
 /// A field of the present state, rows of nx.
 template <class Tile>
 struct FieldKernel {
@@ -160,15 +175,8 @@ struct FieldKernel {
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
-    block.each([&](int x, int) {
-      const auto& f = tile.fields;
-      const StateView<R>& state = f.state(current);
-      each_cell_of(block, f, x, [&](std::int64_t k) {
-        const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
-        const std::ptrdiff_t at = state.at(i, j);
-        const R b = Tile::flat ? R(0) : f.bed.row(j)[i];
-        values[k] = cell_value(field, f.cover, i, j, state.h[at], state.hu[at], state.hv[at], b, f.dry_depth);
-      });
+    each_cell_state(block, tile, current, [&](std::int64_t k, int i, int j, R h, R hu, R hv, R b) {
+      values[k] = cell_value(field, tile.fields.cover, i, j, h, hu, hv, b, tile.fields.dry_depth);
     });
   }
 };
@@ -185,16 +193,9 @@ struct ParticleSandKernel {
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
-    block.each([&](int x, int) {
+    each_cell_state(block, tile, current, [&](std::int64_t, int i, int j, R h, R hu, R hv, R b) {
       const auto& f = tile.fields;
-      const StateView<R>& state = f.state(current);
-      each_cell_of(block, f, x, [&](std::int64_t k) {
-        const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
-        const std::ptrdiff_t at = state.at(i, j);
-        const R b = Tile::flat ? R(0) : f.bed.row(j)[i];
-        sand.take(i, j, state.h[at], state.hu[at], state.hv[at], b, f.cover,
-                  f.template material_at<Tile::uniform>(i, j), f.dry_depth);
-      });
+      sand.take(i, j, h, hu, hv, b, f.cover, f.template material_at<Tile::uniform>(i, j), f.dry_depth);
     });
   }
 };
