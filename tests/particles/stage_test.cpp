@@ -102,6 +102,13 @@ TEST_CASE("At first every cell of the particles' grid holds one, somewhere withi
   CHECK(other.frame().position != frame.position);  // another seed
 }
 
+TEST_CASE("In a cell that several enter the oldest stays, of those of one age the one from the first cell") {
+  CHECK(claim_of(id_of(0, 9), 500) < claim_of(id_of(3, 2), 1));
+  CHECK(claim_of(id_of(3, 700), 4) < claim_of(id_of(3, 2), 5));
+  CHECK(claimant(claim_of(id_of(3, 2), 2147483647)) == 2147483647);
+  CHECK(claim_of(id_of(2147483647, 2147483647), 2147483647) < no_claim);
+}
+
 TEST_CASE("Where the sand rests, particles keep their places and names") {
   Setup place(grid_of(8, 8), particles_of(4), {}, 1);
   const ParticleFrame before = place.frame();
@@ -185,6 +192,8 @@ TEST_CASE("After a thousand moves of a spinning flow the particles are even, and
   CHECK(report.moves == 1000);
   CHECK(report.born == report.merged);
   CHECK(report.born > 3600);
+  // Most of those that lose their cell are pushed aside: a twelfth or less is replaced in a move, without it a fifth.
+  CHECK(report.born < 3600 * 1000 / 12);
   CHECK(report.left == 0);
   CHECK(by_id(frame).size() == 3600);  // none twice
   // Chi-squared over blocks that do not fit the cells: 7 x 7 of 1/7 m. Places drawn at random would give 48.
