@@ -69,6 +69,7 @@ TEST_CASE("opposite corners with little sand between them stay apart") {
   CHECK(apart.contour_edges == 6);  // three around each: two strips and the square
   CHECK(joined.contour_edges == 6);
   CHECK(projected_area(joined.shape) > 2.0 * projected_area(apart.shape));
+  CHECK(joined.shape.triangles.size() == apart.shape.triangles.size() + 2);  // a hexagon for two triangles
 }
 
 TEST_CASE("a mesh of rough sand is manifold without doubled vertices whether it is closed or not") {
