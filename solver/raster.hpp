@@ -8,6 +8,15 @@
 
 namespace sandsim {
 
+/// A projected coordinate reference system in metres.
+struct Crs {
+  std::string name;  // short, as users write it: "EPSG:32632", or the name in the WKT where there is no code
+  std::string wkt;   // WKT 1 as GDAL writes it; empty: none is known
+
+  bool known() const { return !wkt.empty(); }
+  bool operator==(const Crs&) const = default;
+};
+
 /// A regular grid of values, row 0 at the smallest y (readers flip files that start in the north).
 /// Values without data are NaN.
 struct Raster {
@@ -18,6 +27,7 @@ struct Raster {
   double spacing_x = 1.0;         // [m]
   double spacing_y = 1.0;         // [m]
   bool has_georeference = false;  // false: the file carries no position (.npy); it then covers the grid
+  Crs crs{};                      // unknown unless the file carries it
   std::vector<double> values;     // nx * ny, row major, x fastest
 
   double at(std::size_t column, std::size_t row) const { return values[row * nx + column]; }
@@ -27,6 +37,7 @@ struct Raster {
 struct RasterFile {
   std::string file;                    // as written in the scene
   std::shared_ptr<const Raster> data;  // never null in a scene that was read
+  std::string place{};                 // "scene.yaml:7:30", for messages; empty in scenes that were not read
 };
 
 }  // namespace sandsim
