@@ -1,59 +1,69 @@
 // Rasters and vectors that GDAL reads and writes. GDAL and the hundred libraries that it needs are a module of their
-// own (sandsim_gdal.so, built from gdal_module.cpp), opened by the first call of gis(): a run without such files does
-// not know of them.
+// own (sandsim_gdal.so, built from io/gis/gdal), opened by the first call of gis(): a run without such files does not
+// know of them.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "solver/polygons.hpp"
 #include "solver/raster.hpp"
 
 namespace sandsim {
 
-/// What a raster file is asked for.
+/// Which values of a raster file are wanted.
 struct RasterRequest {
-  int band = 1;
-  bool with_values = true;  // false: cells, spacing, origin and CRS only
+  int band = 1;          // counted from 1
+  std::string variable;  // of a file that holds several (NetCDF); empty: the only one
 };
 
-/// What a vector file is asked for.
+/// Which polygons of a vector file are wanted.
 struct PolygonRequest {
   std::string layer;      // empty: the file has one layer only
   std::string attribute;  // a numeric field whose values are wanted; empty: none
   Crs crs;                // of the grid: polygons in another one are transformed
 };
 
-/// The formats that sandsim writes rasters in.
+/// The formats that rasters are written in.
 enum class RasterFormat { geotiff, esri_ascii };
 
-/// GDAL as far as sandsim uses it. Every member throws InputError (OutputError: write_raster) with the file, the
-/// problem and what to do.
+/// The name of a file and what it holds.
+struct EncodedFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// GDAL as far as it is used here. Every member throws InputError: the file, the problem and what to do.
 class Gis {
  public:
   virtual ~Gis() = default;
 
-  /// Values are converted to double; NODATA becomes NaN; row 0 is the southern one. Refused: complex values, no such
-  /// band, a rotated geotransform, geographic coordinates in degrees, a truncated file.
+  /// Values as double, scale and offset of the band applied; NODATA is NaN; row 0 is the southern one. A file without
+  /// position has no georeference, and is north up. Refused: complex values, pictures, values in feet, no such band, a
+  /// rotated grid, coordinates in degrees or feet, a truncated file.
   virtual Raster read_raster(const std::filesystem::path& file, const RasterRequest& request) = 0;
 
-  /// Refused: an empty layer, other geometries than (multi-)polygons, polygons without area or that cross themselves,
-  /// an attribute that is missing, null or text, a file with several layers and none chosen, a layer without a CRS for
-  /// a grid with one and the other way round.
+  /// Refused: an empty layer, other geometries than (multi-)polygons, polygons without area or that cross themselves;
+  /// an attribute that is missing, null or text; several layers and none chosen; a CRS where the grid has none, and no
+  /// CRS where the grid has one. A GeoJSON that states no CRS holds WGS 84 (RFC 7946), or the coordinates of a grid
+  /// that has none either.
   virtual PolygonLayer read_polygons(const std::filesystem::path& file, const PolygonRequest& request) = 0;
 
-  /// What the user calls a CRS: "EPSG:32632", WKT, a PROJ string. Refused: unknown, geographic, other units than
-  /// metres.
+  /// What users call a CRS: "EPSG:32632", WKT, a PROJ string. Refused: unknown, geographic, other units than metres.
   virtual Crs find_crs(const std::string& text) = 0;
 
-  /// North up, georeferenced. NaN becomes the NODATA value -9999 in ESRI ASCII, and stays NaN in a GeoTIFF. Values have
-  /// the type float32 if `single_precision`, else float64.
-  virtual void write_raster(const std::filesystem::path& file, RasterFormat format, const Raster& raster,
-                            bool single_precision) = 0;
+  /// Whether the two are the same, however they are written.
+  virtual bool is_same(const Crs& one, const Crs& other) = 0;
+
+  /// The raster as a file `stem`.tif or `stem`.asc, and what stands beside it (.prj). North up. NaN is NODATA, which is
+  /// -9999 in an ESRI ASCII grid. Values are float32 if `single_precision`, else float64; none is rounded otherwise.
+  virtual std::vector<EncodedFile> encode_raster(const std::string& stem, RasterFormat format, const Raster& raster,
+                                                 bool single_precision) = 0;
 };
 
-/// Opens the module. Throws InputError where the program was built without GDAL, or the module cannot be opened;
-/// `needed_for` says for what, e.g. "dem.tif".
+/// The module, opened by the first call. `needed_for` says for what, e.g. the name of a file. Throws InputError where
+/// the program was built without GDAL, or the module cannot be opened.
 Gis& gis(const std::string& needed_for);
 
 }  // namespace sandsim

@@ -90,9 +90,26 @@ Handle create_dataset(hid_t file, const Variable& variable, const Scene& scene) 
                 H5Dclose, tried);
 }
 
-void describe(hid_t dataset, const Variable& variable, Precision precision) {
+/// The CRS for readers of CF and, as spatial_ref with the corner of the grid, for GDAL.
+void describe_crs(hid_t dataset, const Grid& grid) {
+  hdf5::write_attribute(dataset, "crs_wkt", grid.crs->wkt);
+  hdf5::write_attribute(dataset, "spatial_ref", grid.crs->wkt);
+  const double north = grid.origin[1] + grid.cells[1] * grid.spacing;
+  hdf5::write_attribute(dataset, "GeoTransform",
+                        fmt::format("{} {} 0 {} 0 {}", grid.origin[0], grid.spacing, north, -grid.spacing));
+}
+
+void describe(hid_t dataset, const Variable& variable, const Scene& scene) {
+  const Precision precision = scene.numerics.precision;
   if (variable.type == NumberType::nothing) return;
   hdf5::write_attribute(dataset, "long_name", variable.long_name);
+  if (variable.name == grid_mapping_name) {
+    describe_crs(dataset, scene.grid);
+    return;
+  }
+  if (scene.grid.crs && variable.over_grid()) {
+    hdf5::write_attribute(dataset, "grid_mapping", std::string(grid_mapping_name));
+  }
   if (!variable.units.empty()) hdf5::write_attribute(dataset, "units", variable.units);
   if (variable.name == "x") hdf5::write_attribute(dataset, "standard_name", std::string("projection_x_coordinate"));
   if (variable.name == "y") hdf5::write_attribute(dataset, "standard_name", std::string("projection_y_coordinate"));
@@ -229,7 +246,7 @@ SeriesGrowth growth_of(const Scene& scene) {
 void create_variables(hid_t file, const Scene& scene) {
   for (const Variable& variable : series_layout(scene)) {
     const Handle dataset = create_dataset(file, variable, scene);
-    describe(dataset.id(), variable, scene.numerics.precision);
+    describe(dataset.id(), variable, scene);
     attach_dimensions(file, dataset.id(), variable, scene);
   }
 }

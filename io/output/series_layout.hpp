@@ -34,6 +34,9 @@ std::string name_of(Dimension dimension);
 /// By this name the NetCDF library knows a dimension scale without coordinates.
 inline constexpr const char* bare_dimension_name = "This is a netCDF dimension but not a netCDF variable.";
 
+/// The variable without values that carries the CRS; only where the grid has one.
+inline constexpr const char* grid_mapping_name = "crs";
+
 /// Objects that have a place in every frame: all but those that are terrain.
 std::size_t coupled_object_count(const Scene& scene);
 

@@ -101,6 +101,10 @@ Grid SeriesReader::grid() const {
   grid.spacing = (longer.back() - longer.front()) / static_cast<double>(longer.size() - 1);
   if (!(grid.spacing > 0.0)) throw hdf5::Failure("the coordinates of its cells do not rise");
   grid.origin = {x.front() - 0.5 * grid.spacing, y.front() - 0.5 * grid.spacing};
+  if (find(grid_mapping_name) != nullptr) {
+    const Handle mapping = hdf5::open_dataset(file_.id(), grid_mapping_name);
+    if (const auto wkt = hdf5::read_text_attribute(mapping.id(), "crs_wkt")) grid.crs = Crs{*wkt, *wkt};
+  }
   return grid;
 }
 

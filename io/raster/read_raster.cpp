@@ -6,6 +6,7 @@
 #include <cctype>
 #include <new>
 
+#include "io/gis/gis.hpp"
 #include "io/raster/limits.hpp"
 #include "io/raster/source_text.hpp"
 #include "solver/errors.hpp"
@@ -25,10 +26,7 @@ Raster read_raster(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
   const bool ascii = extension == ".asc" || extension == ".txt";
   if (!ascii && extension != ".npy") {
-    throw InputError(
-        fmt::format("{}: the format of the raster is unknown (extension {}). Known are ESRI ASCII grids (.asc, .txt) "
-                    "and NumPy arrays (.npy)",
-                    path.string(), extension.empty() ? "missing" : in_quotes(extension)));
+    return gis(path.string()).read_raster(path, {});
   }
   constexpr std::size_t most_bytes_a_value = 32;
   try {

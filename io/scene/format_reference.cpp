@@ -56,8 +56,9 @@ class PageWriter {
 
   template <class T>
   void field(const char* key, T& value, const Rule& rule, const char* meaning) {
-    std::string by_default = rule.is_required ? "required" : default_text(value, rule);
+    std::string by_default = rule.is_required && rule.instead.empty() ? "required" : default_text(value, rule);
     std::string note = meaning;
+    if (!rule.instead.empty()) note += " Required without `" + rule.instead + "`.";
     if (!rule.only_with.empty()) note += " Only with `" + rule.only_with + "`.";
     rows_ += std::string("| `") + key + "` | " + type(key, value, rule) + " | " + rule.bounds_text() + " | " +
              by_default + " | " + note + " |\n";
@@ -100,6 +101,7 @@ class PageWriter {
   std::string type(const std::string&, bool&, const Rule&) { return "`true` or `false`"; }
   std::string type(const std::string&, std::string&, const Rule&) { return "text"; }
   std::string type(const std::string&, RasterFile&, const Rule&) { return "file"; }
+  std::string type(const std::string&, Crs&, const Rule&) { return "text"; }
   std::string type(const std::string&, Profile&, const Rule&) { return "file"; }
   std::string type(const std::string&, FrontCurve&, const Rule&) { return "file"; }
   std::string type(const std::string&, MeshFile&, const Rule&) { return "file"; }

@@ -105,6 +105,9 @@ Members schema_of(const std::string&, const Rule&) {
 Members schema_of(const RasterFile&, const Rule&) {
   return with_type("string");
 }
+Members schema_of(const Crs&, const Rule&) {
+  return with_type("string");
+}
 Members schema_of(const Profile&, const Rule&) {
   return with_type("string");
 }
@@ -166,6 +169,7 @@ class SchemaWriter {
   void field(const char* key, T& value, const Rule& rule, const char* meaning) {
     std::string description = meaning;
     if (!rule.only_with.empty()) description += " Only with " + rule.only_with + '.';
+    if (!rule.instead.empty()) description += " Required without " + rule.instead + '.';
     if (rule.dimension != Dimension::none && !rule.bounds_text().empty()) {
       description += " Valid: " + rule.bounds_text() + '.';
     }
@@ -176,7 +180,7 @@ class SchemaWriter {
         members.emplace_back("default", std::move(text));
       }
     }
-    if (rule.is_required && rule.only_with.empty()) required_.emplace_back(key);
+    if (rule.is_required && rule.only_with.empty() && rule.instead.empty()) required_.emplace_back(key);
     properties_.emplace_back(key, object(members));
   }
 

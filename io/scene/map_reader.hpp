@@ -14,6 +14,7 @@
 #include "io/scene/reading.hpp"
 #include "io/scene/rule.hpp"
 #include "io/scene/type_name.hpp"
+#include "solver/grid_like.hpp"
 
 namespace sandsim {
 
@@ -47,6 +48,19 @@ class MapReader {
 
   /// A key that is not in the table, e.g. the type of a part.
   void know(const char* key) { keys_.emplace_back(key); }
+
+  /// The grid of a raster in place of one in numbers; from here on lengths may be in cells.
+  void take_grid(Grid& grid, const GridLike& from) {
+    if (from.like && !reading_.failed(path_)) {
+      auto found = grid_of(from, grid.spacing);
+      if (const auto* problem = std::get_if<GridProblem>(&found)) {
+        reading_.complain_at(path_of(problem->key), {problem->problem, problem->why, problem->suggestion});
+        return;
+      }
+      grid = std::move(std::get<Grid>(found));
+    }
+    reading_.know_grid(grid);
+  }
 
   /// Complains about keys that no field has asked for.
   void finish() const {

@@ -8,17 +8,34 @@
 #include "io/scene/names.hpp"
 #include "io/scene/parameters_objects.hpp"
 #include "io/scene/rule.hpp"
+#include "solver/grid_like.hpp"
 #include "solver/scene.hpp"
 
 namespace sandsim {
 
 template <class V>
 void describe(V& v, Grid& g) {
-  v.field("cells", g.cells, number().at_least(1).required().like("[160, 1]"),
+  GridLike from;  // which the reader turns into cells, spacing, origin and crs
+  v.field("like", from.like, file().like("dem.tif"), "A raster whose cells, spacing, origin and CRS the grid takes.");
+  const bool own = !from.like;
+  const char* const without = "a grid without like";
+  v.field("cells", g.cells, number().at_least(1).required().like("[160, 1]").only(own, without),
           "Number of cells along x and y. One row is a 1-D scene.");
-  v.field("spacing", g.spacing, length().above(0).without_cells().required().like("1 cm"),
-          "Side of a cell, the same in x and y.");
-  v.field("origin", g.origin, length(), "Corner of the grid; cell centres lie half a spacing in.");
+  v.field("spacing", g.spacing, length().above(0).without_cells().like("1 cm").required_unless(!own, "like"),
+          "Side of a cell, the same in x and y; beside `like` the raster is resampled.");
+  v.field("origin", g.origin, length().only(own, without), "Corner of the grid; cell centres lie half a spacing in.");
+  v.field("crs", g.crs, text().like("EPSG:32632").only(own, without),
+          "Coordinate reference system of x and y, projected and in metres; it is written beside the results.");
+  v.field("extent", from.extent,
+          length()
+              .without_cells()
+              .components({"x_min", "y_min", "x_max", "y_max"})
+              .only(!own, "like")
+              .like("[600 km, 5100 km, 602 km, 5101 km]"),
+          "The part of the raster that is taken.");
+  v.field("margin", from.margin, length().at_least(0).without_cells().only(!own, "like"),
+          "Left out along each side of the raster, or of the extent.");
+  if constexpr (requires { v.take_grid(g, from); }) v.take_grid(g, from);
 }
 
 // ---- terrain --------------------------------------------------------------------------------------------------------

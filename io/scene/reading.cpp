@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "io/gis/gis.hpp"
 #include "io/mesh/read_mesh.hpp"
 #include "io/mesh/read_sdf.hpp"
 #include "io/raster/read_csv.hpp"
@@ -118,7 +119,6 @@ void Reading::parse(const Node& node, const std::string& path, double& target, c
     return;
   }
   target = value;
-  if (path == "grid.spacing") cell_ = value;
 }
 
 void Reading::parse(const Node& node, const std::string& path, int& target, const Rule& rule) {
@@ -202,6 +202,7 @@ std::shared_ptr<const Raster> Reading::load(const Node& node, const std::string&
     complain_input(node, path, {"the raster cannot be read", error.what(), ""});
     return std::make_shared<Raster>();
   }
+  check_crs(node, path, *raster);
   double smallest = std::numeric_limits<double>::infinity();
   double largest = -smallest;
   for (const double value : raster->values) {
@@ -219,6 +220,37 @@ std::shared_ptr<const Raster> Reading::load(const Node& node, const std::string&
   }
   std::transform(raster->values.begin(), raster->values.end(), raster->values.begin(), si);
   return raster;
+}
+
+void Reading::know_grid(const Grid& grid) {
+  if (grid.spacing > 0.0) cell_ = grid.spacing;
+  crs_ = grid.crs;
+  grid_known_ = true;
+}
+
+void Reading::parse(const Node& node, const std::string& path, Crs& target, const Rule& rule) {
+  std::string text;
+  parse(node, path, text, rule);
+  if (text.empty()) return;
+  try {
+    target = gis(text).find_crs(text);
+  } catch (const InputError& error) {
+    complain(node, path, {"no coordinate reference system", error.what(), ""});
+  }
+}
+
+/// Coordinates of another CRS than the grid's would lie elsewhere; whether the grid has any is the scene's choice.
+void Reading::check_crs(const Node& node, const std::string& path, const Raster& raster) {
+  if (!grid_known_ || !raster.crs.known()) return;
+  if (!crs_) {
+    warn(node, path,
+         {"the results carry no CRS", "the raster is in " + raster.crs.name + ", the grid states none",
+          "Add \"crs: " + raster.crs.name + "\" to the grid, or take the grid by \"like\"."});
+  } else if (raster.crs != *crs_ && !gis(node.text).is_same(raster.crs, *crs_)) {
+    complain(node, path,
+             {"the raster is in another CRS than the grid", raster.crs.name + ", not " + crs_->name,
+              "Project it: gdalwarp -t_srs " + crs_->name + " -r bilinear " + node.text + " projected.tif"});
+  }
 }
 
 void Reading::parse(const Node& node, const std::string& path, RasterFile& target, const Rule& rule) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ class Reading {
   void parse(const Node& node, const std::string& path, std::string& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, RasterFile& target, const Rule& rule);
+  void parse(const Node& node, const std::string& path, Crs& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, Profile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, FrontCurve& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, MeshFile& target, const Rule& rule);
@@ -46,6 +48,9 @@ class Reading {
   /// The list at `path` was written as its only entry.
   void note_single(const std::string& path) { singles_.insert(path); }
 
+  /// The grid is read: lengths may be in its cells, and rasters in its CRS.
+  void know_grid(const Grid& grid);
+
   /// The value at `path`, one inside it, or one that it lies in has been complained about.
   bool failed(const std::string& path) const;
   /// Reports a problem of the scene as a whole at the place of its key, or of the nearest map around it.
@@ -58,6 +63,7 @@ class Reading {
   std::filesystem::path find_file(const Node& node, const std::string& path, const Rule& rule);
   /// Loads a raster whose values are in the display unit of the rule's dimension, and checks them.
   std::shared_ptr<const Raster> load(const Node& node, const std::string& path, const Rule& rule);
+  void check_crs(const Node& node, const std::string& path, const Raster& raster);
   template <class Table, class Read>
   void parse_table(const Node& node, const std::string& path, Table& target, const Rule& rule, Read read);
   std::string as_written(std::string path) const;
@@ -65,7 +71,9 @@ class Reading {
   Problems& problems_;
   std::filesystem::path directory_;
   std::vector<std::string>* warnings_;
-  double cell_ = 1.0;  // [m] the grid's spacing; 1 m until it is known
+  double cell_ = 1.0;       // [m] the grid's spacing; 1 m until it is known
+  std::optional<Crs> crs_;  // of the grid
+  bool grid_known_ = false;
   std::map<std::string, const Node*> given_;
   std::set<std::string> singles_;
   std::set<std::string> failed_;

@@ -25,6 +25,7 @@ struct Rule {
   bool may_be_missing = false;                              // files: missing is a warning
   bool applies = true;                                      // false: giving the key is an error
   std::string only_with;                                    // "mode: fixed": when it applies
+  std::string instead;                                      // the key that may stand in for a required one
   std::vector<std::string> component_names{"x", "y", "z"};  // arrays: what their values are, in their order
   std::string example_text;
 
@@ -42,6 +43,10 @@ struct Rule {
   }
   Rule required() const {
     return with([](Rule& r) { r.is_required = true; });
+  }
+  /// Required where another key of the map, `other`, is not given.
+  Rule required_unless(bool is_given, std::string other) const {
+    return with([&](Rule& r) { r.is_required = !is_given, r.instead = other; });
   }
   Rule without_cells() const {
     return with([](Rule& r) { r.has_cells = false; });
