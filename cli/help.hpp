@@ -146,6 +146,9 @@ inline constexpr const char* exported =
   level-set  h5 npy            signed distances to the closed sand, negative inside, cut off beyond --band:
                                for renderers, and as 'shape: {type: sdf}' of an object in another scene.
                                .npy holds neither origin nor spacing: they are printed, ready for the scene
+  rasters    tif asc           bed, maxima (output.maxima) and the fields of a frame as GeoTIFF or ESRI ASCII grids,
+                               north up, with the CRS of the grid: a file each, in the folder RESULT/rasters or -o.
+                               --field NAME takes one of them (and may be repeated)
 The format may also be told by the name after -o. The surface is at the height that the series has in 'surface',
 where a run kept that (sand on an object lies on the object), else and for solids at bed + depth.
 
@@ -160,7 +163,9 @@ Examples:
   sandsim export results/flume --time '0.5 s' --closed -o sand.ply    to print, or to measure
   sandsim export results/flume --all --format vtp                 a numbered file a frame, for ParaView
   sandsim export results/cars --what level-set --cell '0.25 cells'
-  sandsim export results/cars --what particles --all --overwrite)";
+  sandsim export results/cars --what particles --all --overwrite
+  sandsim export results/gis --what rasters                       for QGIS: max_depth.tif, depth.tif, ...
+  sandsim export results/gis --what rasters --field max_depth --format asc)";
 
 inline constexpr const char* schema =
     R"(Editors complete and check scenes with it. For VS Code and others with a YAML language server:

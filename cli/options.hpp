@@ -86,7 +86,8 @@ struct InfoArguments {
 
 struct ExportArguments {
   std::string result;
-  std::string what = "surface";       // or terrain, particles, level-set
+  std::string what = "surface";       // or terrain, particles, level-set, rasters
+  std::vector<std::string> fields;    // of rasters; empty: all
   std::optional<std::string> format;  // absent: that of `output`, or the first that `what` has
   std::optional<int> frame;           // from 0, or from the end below 0; absent: the last
   std::optional<std::string> time;    // of the frame, "2 s"

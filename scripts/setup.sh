@@ -6,11 +6,11 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 python=/usr/bin/python3                # Debian's own: it sees the python3-* packages, another one may not
 
 run_packages=(cmake ninja-build g++ git libyaml-cpp-dev libcli11-dev libhdf5-dev libfmt-dev libspdlog-dev
-              libnlopt-dev libnlopt-cxx-dev
+              libnlopt-dev libnlopt-cxx-dev libgdal-dev python3-gdal
               python3 python3-numpy python3-matplotlib python3-h5py python3-yaml ffmpeg)
 # The ray tracer of scripts/render, and the reader of meshes that stand in its pictures.
 figure_packages=(povray python3-meshio)
-test_packages=("${figure_packages[@]}" catch2
+test_packages=("${figure_packages[@]}" catch2 gdal-bin
                python3-scipy python3-xarray python3-h5netcdf python3-netcdf4 python3-jsonschema
                munge slurmctld slurmd slurm-client)
 # Clang is there for the fuzz targets: the release whose C++20 goes with the system's standard library.

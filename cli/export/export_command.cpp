@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <ostream>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "cli/export/export_report.hpp"
 #include "io/export/mesh_files.hpp"
 #include "io/export/sdf_files.hpp"
+#include "io/gis/gis.hpp"
 #include "io/mesh/sdf_shape.hpp"
 #include "io/output/atomic_file.hpp"
 #include "io/raster/write_npy.hpp"
@@ -50,16 +52,40 @@ void require_samples(const objects::DistanceGrid& grid) {
                                            1.1 * grid.spacing * std::cbrt(excess)));
 }
 
+Raster raster_on(const Grid& grid, std::vector<double> values) {
+  Raster raster;
+  raster.nx = static_cast<std::size_t>(grid.cells[0]), raster.ny = static_cast<std::size_t>(grid.cells[1]);
+  raster.origin_x = grid.x(0), raster.origin_y = grid.y(0);
+  raster.spacing_x = raster.spacing_y = grid.spacing;
+  raster.has_georeference = true;
+  raster.crs = grid.crs.value_or(Crs{});
+  raster.values = std::move(values);
+  return raster;
+}
+
+RasterCounts counts_of(const Raster& raster) {
+  RasterCounts counts{raster.nx, raster.ny, 0, std::numeric_limits<double>::infinity(), 0.0};
+  counts.largest = -counts.smallest;
+  for (const double value : raster.values) {
+    if (std::isnan(value)) {
+      ++counts.without_value;
+    } else {
+      counts.smallest = std::min(counts.smallest, value), counts.largest = std::max(counts.largest, value);
+    }
+  }
+  return counts;
+}
+
 /// Writes the targets of a plan one by one.
 class Exporter {
  public:
   Exporter(const SeriesFrames& series, const ExportPlan& plan)
-      : series_(series), plan_(plan), bed_(plan.what == Subject::particles ? std::vector<double>{} : series.bed()) {}
+      : series_(series), plan_(plan), bed_(needs_bed(plan.what) ? series.bed() : std::vector<double>{}) {}
 
   ExportedFile write(const ExportTarget& target) const {
     ExportedFile file;
     file.target = target;
-    if (plan_.what != Subject::terrain) file.time = series_.times()[target.frame];
+    if (plan_.what != Subject::terrain && !target.is_map) file.time = series_.times()[target.frame];
     switch (plan_.what) {
       case Subject::surface:
         write_mesh(build_surface(file), file);
@@ -73,12 +99,17 @@ class Exporter {
       case Subject::level_set:
         write_level_set(file);
         break;
+      case Subject::rasters:
+        write_raster(file);
+        break;
     }
     file.bytes = static_cast<double>(std::filesystem::file_size(target.file));
     return file;
   }
 
  private:
+  static bool needs_bed(Subject what) { return what != Subject::particles && what != Subject::rasters; }
+
   /// The sand's surface, not closed, and the volumes of `file`.
   SurfaceMesh open_surface(ExportedFile& file) const {
     std::vector<double> elevation;
@@ -149,6 +180,25 @@ class Exporter {
     });
   }
 
+  void write_raster(ExportedFile& file) const {
+    const ExportTarget& target = file.target;
+    const Raster raster = timed(file.read_seconds, [&] {
+      return raster_on(series_.grid(),
+                       target.is_map ? series_.map(target.field) : series_.field(target.field, target.frame));
+    });
+    file.raster = counts_of(raster);
+    const auto format = plan_.format == "tif" ? RasterFormat::geotiff : RasterFormat::esri_ascii;
+    timed(file.write_seconds, [&] {
+      const std::string name = target.file.string();
+      const std::vector<EncodedFile> encoded =
+          gis(name).encode_raster(target.file.stem().string(), format, raster, series_.single_precision(target.field));
+      for (const EncodedFile& one : encoded) {
+        write_file_atomically(target.file.parent_path() / one.name, one.bytes);
+      }
+      return 0;
+    });
+  }
+
   template <class Encode>
   void write_bytes(ExportedFile& file, Encode encode) const {
     timed(file.write_seconds, [&] {
@@ -180,6 +230,12 @@ ExitCode export_command(const ExportArguments& arguments, Console& console) {
   const ExportPlan plan = plan_export(arguments, series);
   const Exporter exporter(series, plan);
   prepare_targets(plan, arguments.overwrite);
+  if (plan.what == Subject::rasters && !series.grid().crs && !arguments.quiet) {
+    console.err << fmt::format(
+        "sandsim: warning: {}: the grid has no CRS, and so have the rasters; "
+        "state it in the scene as grid.crs\n",
+        series.path().string());
+  }
   std::vector<ExportedFile> files;
   for (const ExportTarget& target : plan.targets) {
     files.push_back(exporter.write(target));

@@ -22,7 +22,7 @@ void add_frames(CLI::App& command, ExportArguments& arguments) {
 }  // namespace
 
 void add_export(CLI::App& app, ExportArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("export", "Turn frames of a result into meshes, particles or level sets");
+  CLI::App& command = *app.add_subcommand("export", "Turn a result into meshes, particles, level sets or rasters");
   command.add_option("RESULT", arguments.result, "Results directory or series file")->required();
   command.add_option("--what", arguments.what, "What of it; surface if absent")
       ->type_name(join("|", subject_names()))
@@ -40,6 +40,10 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
   command.add_option("--cell", arguments.cell, "Spacing of a level set; '0.5 cells' if absent")->type_name("LENGTH");
   command.add_option("--band", arguments.band, "Largest distance in a level set; 4 spacings if absent")
       ->type_name("LENGTH");
+  command.add_option("--field", arguments.fields, "A raster that is wanted, as 'max_depth'; all if absent")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
   CLI::Option* json = command.add_flag("--json", arguments.json, "Print counts, volumes and times as JSON");
   command.add_flag("-q,--quiet", arguments.quiet, "Print errors only")->excludes(json);
   command.footer(help::exported);

@@ -24,11 +24,12 @@ struct SubjectKind {
   std::vector<std::string> formats;  // the first is the default
 };
 
-const std::array<SubjectKind, 4>& kinds() {
-  static const std::array<SubjectKind, 4> all{{{Subject::surface, "surface", {"ply", "obj", "vtp", "vtk"}},
+const std::array<SubjectKind, 5>& kinds() {
+  static const std::array<SubjectKind, 5> all{{{Subject::surface, "surface", {"ply", "obj", "vtp", "vtk"}},
                                                {Subject::terrain, "terrain", {"ply", "obj", "vtp", "vtk"}},
                                                {Subject::particles, "particles", {"ply", "vtp"}},
-                                               {Subject::level_set, "level-set", {"h5", "npy"}}}};
+                                               {Subject::level_set, "level-set", {"h5", "npy"}},
+                                               {Subject::rasters, "rasters", {"tif", "asc"}}}};
   return all;
 }
 
@@ -57,6 +58,7 @@ void require_options(const ExportArguments& arguments, Subject what) {
   refuse(arguments.closed, what == Subject::surface, "--closed", "it is for surfaces; a level-set is closed anyway");
   refuse(arguments.cell.has_value(), what == Subject::level_set, "--cell", "it is the spacing of a level-set");
   refuse(arguments.band.has_value(), what == Subject::level_set, "--band", "it is that of a level-set");
+  refuse(!arguments.fields.empty(), what == Subject::rasters, "--field", "it chooses among rasters");
   const bool chooses_frame = arguments.frame || arguments.time || arguments.all;
   refuse(chooses_frame, what != Subject::terrain,
          arguments.frame  ? "--frame"
@@ -124,8 +126,8 @@ fs::path single_file(const ExportArguments& arguments, const ExportPlan& plan, c
   return file;
 }
 
-std::string numbered_name(const ExportPlan& plan, std::size_t frame) {
-  return fmt::format("{}_{:04}.{}", plan.what_name, frame, plan.format);
+std::string numbered_name(const std::string& stem, const std::string& format, std::size_t frame) {
+  return fmt::format("{}_{:04}.{}", stem, frame, format);
 }
 
 void require_data(const ExportPlan& plan, const SeriesFrames& series) {
@@ -133,12 +135,62 @@ void require_data(const ExportPlan& plan, const SeriesFrames& series) {
     if (series.has(name)) return;
     throw InputError(fmt::format("{}: it holds no {}; {}", series.path().string(), name, remedy));
   };
+  if (plan.what == Subject::rasters) return;  // there are just those that the series has
   if (plan.what == Subject::particles) {
     require("particle_position", "run the scene with 'particles: {spacing: 0.5 cells}'");
     return;
   }
   require("bed", "run the scene with 'output: {frames: true}'");
   if (plan.what != Subject::terrain) require("depth", "run the scene with 'output: {fields: [depth]}'");
+}
+
+/// The maps and fields that become rasters: those that --field names, else all.
+std::vector<ExportTarget> chosen_rasters(const ExportArguments& arguments, const SeriesFrames& series) {
+  std::vector<ExportTarget> all;
+  for (const std::string& name : series.maps()) all.push_back({0, {}, name, true});
+  for (const std::string& name : series.fields()) all.push_back({0, {}, name, false});
+  std::vector<std::string> names;
+  for (const ExportTarget& one : all) names.push_back(one.field);
+  if (all.empty()) {
+    throw InputError(
+        fmt::format("{}: it holds no maps and no fields; run the scene with 'output: {{maxima: true}}', or "
+                    "with frames",
+                    series.path().string()));
+  }
+  if (arguments.fields.empty()) return all;
+  std::vector<ExportTarget> chosen;
+  for (const std::string& name : arguments.fields) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) fail(fmt::format("--field {}: the series holds {}", name, listed(names)));
+    chosen.push_back(all[static_cast<std::size_t>(found - names.begin())]);
+  }
+  return chosen;
+}
+
+/// A file a map, and one a field and frame, in a folder; or the only one by its own name.
+void plan_rasters(const ExportArguments& arguments, const SeriesFrames& series, const std::vector<std::size_t>& frames,
+                  ExportPlan& plan) {
+  const std::vector<ExportTarget> rasters = chosen_rasters(arguments, series);
+  const bool names_file = extension_of(arguments.output) == plan.format;
+  if (names_file && rasters.size() > 1) {
+    fail(fmt::format(
+        "-o {}: these are {} rasters, and -o names the folder for them. Choose one by --field, or leave out "
+        "the extension",
+        arguments.output, rasters.size()));
+  }
+  const fs::path folder =
+      arguments.output.empty() ? series.path().parent_path() / plan.what_name : fs::path(arguments.output);
+  for (ExportTarget target : rasters) {
+    plan.stems.push_back(target.field);
+    const bool numbered = arguments.all && !target.is_map;
+    for (const std::size_t frame : target.is_map ? std::vector<std::size_t>{0} : frames) {
+      target.frame = frame;
+      target.file = names_file ? fs::path(arguments.output)
+                    : numbered ? folder / numbered_name(target.field, plan.format, frame)
+                               : folder / (target.field + '.' + plan.format);
+      plan.targets.push_back(target);
+    }
+  }
 }
 
 }  // namespace
@@ -178,28 +230,36 @@ ExportPlan plan_export(const ExportArguments& arguments, const SeriesFrames& ser
   plan.stored_elevation = plan.what == Subject::surface && !plan.closed && series.has("surface");
   require_data(plan, series);
   const std::vector<std::size_t> frames = frames_of(arguments, series.times());
+  if (plan.what == Subject::rasters) {
+    plan_rasters(arguments, series, frames, plan);
+    return plan;
+  }
+  plan.stems = {plan.what_name};
   const fs::path folder = series.path().parent_path();
   if (!arguments.all) {
     plan.targets = {{frames.front(), single_file(arguments, plan, folder)}};
     return plan;
   }
   const fs::path all_files = arguments.output.empty() ? folder / plan.what_name : fs::path(arguments.output);
-  for (const std::size_t frame : frames) plan.targets.push_back({frame, all_files / numbered_name(plan, frame)});
+  for (const std::size_t frame : frames)
+    plan.targets.push_back({frame, all_files / numbered_name(plan.what_name, plan.format, frame)});
   return plan;
 }
 
 namespace {
 
 /// Whether an export of all frames has written a file of that name.
-bool is_numbered(const std::string& name, const ExportPlan& plan) {
-  const std::string start = plan.what_name + '_', end = '.' + plan.format;
+bool is_numbered(const std::string& name, const std::string& stem, const std::string& format) {
+  const std::string start = stem + '_', end = '.' + format;
   return name.starts_with(start) && name.ends_with(end) && name.size() > start.size() + end.size() &&
          name.find_first_not_of("0123456789", start.size()) == name.size() - end.size();
 }
 
 void clear_folder(const ExportPlan& plan, const fs::path& folder, bool overwrite) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!is_numbered(entry.path().filename().string(), plan)) continue;
+    const std::string name = entry.path().filename().string();
+    const auto belongs = [&](const std::string& stem) { return is_numbered(name, stem, plan.format); };
+    if (std::none_of(plan.stems.begin(), plan.stems.end(), belongs)) continue;
     if (!overwrite) {
       throw OutputError(
           fmt::format("{}: holds the files of an earlier export. Replace them with --overwrite, or name "
@@ -213,16 +273,15 @@ void clear_folder(const ExportPlan& plan, const fs::path& folder, bool overwrite
 }  // namespace
 
 void prepare_targets(const ExportPlan& plan, bool overwrite) {
-  const fs::path& first = plan.targets.front().file;
-  const fs::path folder = first.parent_path();
+  const fs::path folder = plan.targets.front().file.parent_path();
   std::error_code error;
   if (!folder.empty()) fs::create_directories(folder, error);
   if (error) throw OutputError(fmt::format("{}: could not be created ({})", folder.string(), error.message()));
-  if (plan.targets.size() > 1) {
-    clear_folder(plan, folder, overwrite);
-  } else if (fs::exists(first, error) && !overwrite) {
+  if (plan.targets.size() > 1) clear_folder(plan, folder, overwrite);
+  for (const ExportTarget& target : plan.targets) {
+    if (overwrite || !fs::exists(target.file, error)) continue;
     throw OutputError(
-        fmt::format("{}: is there. Replace it with --overwrite, or name another file with -o?", first.string()));
+        fmt::format("{}: is there. Replace it with --overwrite, or name another with -o?", target.file.string()));
   }
 }
 

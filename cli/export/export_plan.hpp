@@ -11,7 +11,7 @@
 
 namespace sandsim::cli {
 
-enum class Subject { surface, terrain, particles, level_set };
+enum class Subject { surface, terrain, particles, level_set, rasters };
 
 /// The words of --what and of --format.
 std::vector<std::string> subject_names();
@@ -19,14 +19,17 @@ std::vector<std::string> all_formats();
 
 /// One file of an export.
 struct ExportTarget {
-  std::size_t frame = 0;  // unused for the terrain
+  std::size_t frame = 0;  // unused for the terrain and maps
   std::filesystem::path file;
+  std::string field{};  // of a raster
+  bool is_map = false;  // the raster is the same in all frames
 };
 
 struct ExportPlan {
   Subject what = Subject::surface;
   std::string what_name;
-  std::string format;  // also the extension of the files
+  std::vector<std::string> stems;  // numbered files are called STEM_0000
+  std::string format;              // also the extension of the files
   std::vector<ExportTarget> targets;
   double contour = 0.0;  // [m] depth below which sand is left out
   bool closed = false;

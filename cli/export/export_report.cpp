@@ -51,11 +51,17 @@ std::string times_text(const ExportedFile& file) {
          fmt::format("{} to write {}", format_duration(file.write_seconds), format_bytes(file.bytes));
 }
 
+std::string raster_text(const RasterCounts& raster) {
+  std::string text = fmt::format("{} x {} values", raster.columns, raster.rows);
+  if (raster.smallest <= raster.largest) text += fmt::format(" from {:.6g} to {:.6g}", raster.smallest, raster.largest);
+  return text + (raster.without_value > 0 ? fmt::format(", {} NODATA", count(raster.without_value)) : "");
+}
+
 std::string describe_one(const ExportPlan& plan, const ExportedFile& file) {
   const std::string frame =
       file.time ? fmt::format(" of frame {} at {:.6g} s", file.target.frame, *file.time) : std::string();
-  std::string text =
-      fmt::format("{}: {}{}{}\n", file.target.file.string(), plan.closed ? "closed " : "", plan.what_name, frame);
+  std::string text = fmt::format("{}: {}{}{}\n", file.target.file.string(), plan.closed ? "closed " : "",
+                                 file.target.field.empty() ? plan.what_name : file.target.field, frame);
   if (file.mesh) {
     const std::string contour =
         file.mesh->contour_edges > 0 ? fmt::format(", a contour of {} edges", count(file.mesh->contour_edges)) : "";
@@ -72,6 +78,7 @@ std::string describe_one(const ExportPlan& plan, const ExportedFile& file) {
     text += line("particles", fmt::format("{}; {} hidden ones left out", count(file.particles->written),
                                           count(file.particles->hidden)));
   }
+  if (file.raster) text += line("raster", raster_text(*file.raster));
   if (file.volumes) text += line("volume", volume_text(*file.volumes));
   return text + line("time", times_text(file));
 }
@@ -82,6 +89,7 @@ std::string describe_of_many(const ExportedFile& file) {
   if (file.mesh) text += fmt::format("  {} triangles", count(file.mesh->triangles));
   if (file.level_set) text += fmt::format("  {} samples inside", count(file.level_set->inside));
   if (file.particles) text += fmt::format("  {} particles", count(file.particles->written));
+  if (file.raster) text += "  " + raster_text(*file.raster);
   if (file.volumes) text += fmt::format("  {:.6g} m^3 ({})", file.volumes->mesh, percent(*file.volumes));
   return text + '\n';
 }
@@ -104,6 +112,10 @@ void add_counts(JsonWriter& json, const ExportPlan& plan, const ExportedFile& fi
   }
   if (file.particles) {
     json.member("particles", file.particles->written).member("particles_hidden", file.particles->hidden);
+  }
+  if (file.raster) {
+    json.member("field", file.target.field).member("columns", file.raster->columns).member("rows", file.raster->rows);
+    json.member("without_value", file.raster->without_value);
   }
   if (file.volumes) {
     json.member("volume_mesh", file.volumes->mesh).member("volume_sand", file.volumes->sand);

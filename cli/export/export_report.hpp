@@ -32,6 +32,12 @@ struct ParticleCounts {
   std::size_t hidden = 0;
 };
 
+struct RasterCounts {
+  std::size_t columns = 0, rows = 0;
+  std::size_t without_value = 0;         // NODATA
+  double smallest = 0.0, largest = 0.0;  // of the others
+};
+
 /// One file. What does not apply is absent.
 struct ExportedFile {
   ExportTarget target;
@@ -40,6 +46,7 @@ struct ExportedFile {
   std::optional<SandVolumes> volumes;
   std::optional<LevelSetCounts> level_set;
   std::optional<ParticleCounts> particles;
+  std::optional<RasterCounts> raster;
   double bytes = 0.0;
   double read_seconds = 0.0;   // from the series
   double build_seconds = 0.0;  // mesh or level set in memory

@@ -65,14 +65,39 @@ void require_extent(const SeriesReader& reader, const std::string& name, const s
 
 }  // namespace
 
-std::vector<double> SeriesFrames::bed() const {
+std::vector<std::string> SeriesFrames::names_of(const std::vector<std::string>& dimensions) const {
+  std::vector<std::string> names;
+  for (const StoredVariable& variable : reader_->variables()) {
+    if (variable.numeric && variable.has_dimensions(dimensions)) names.push_back(variable.name);
+  }
+  return names;
+}
+
+std::vector<std::string> SeriesFrames::maps() const {
+  return names_of({"y", "x"});
+}
+
+std::vector<std::string> SeriesFrames::fields() const {
+  return names_of({"time", "y", "x"});
+}
+
+bool SeriesFrames::single_precision(const std::string& name) const {
+  return reader_->find(name)->element_size == sizeof(float);
+}
+
+std::vector<double> SeriesFrames::map(const std::string& name) const {
   std::vector<double> values(grid_.cell_count());
   reading([&] {
-    const hdf5::Handle dataset = open_of_rank(*reader_, "bed", 2, "the run needs output.frames");
+    const hdf5::Handle dataset = open_of_rank(*reader_, name, 2, "the run needs output.frames");
     const auto nx = static_cast<hsize_t>(grid_.cells[0]), ny = static_cast<hsize_t>(grid_.cells[1]);
-    require_extent(*reader_, "bed", {ny, nx});
+    require_extent(*reader_, name, {ny, nx});
     hdf5::read(dataset.id(), H5T_NATIVE_DOUBLE, values.data());
   });
+  return values;
+}
+
+std::vector<double> SeriesFrames::bed() const {
+  std::vector<double> values = map("bed");
   require_finite("bed", values, "");
   return values;
 }

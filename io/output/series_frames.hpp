@@ -36,8 +36,15 @@ class SeriesFrames {
   const std::vector<double>& times() const { return times_; }  // [s]
 
   bool has(const std::string& name) const;
+  /// What has a value in every cell: once ("bed", the maxima), and in every frame.
+  std::vector<std::string> maps() const;
+  std::vector<std::string> fields() const;
+  /// Whether its values are float32.
+  bool single_precision(const std::string& name) const;
   /// The bed [m], x fastest.
   std::vector<double> bed() const;
+  /// One of maps(), x fastest. NaN where there is no value.
+  std::vector<double> map(const std::string& name) const;
   /// A field over time, as "depth", at a frame: x fastest, every value finite.
   std::vector<double> field(const std::string& name, std::size_t frame) const;
   VisibleParticles particles(std::size_t frame) const;
@@ -45,6 +52,7 @@ class SeriesFrames {
  private:
   template <class Read>
   auto reading(Read read) const;
+  std::vector<std::string> names_of(const std::vector<std::string>& dimensions) const;
   void require_finite(const std::string& name, const std::vector<double>& values, const std::string& where) const;
 
   std::filesystem::path path_;
