@@ -69,9 +69,7 @@ std::variant<Grid, GridProblem> grid_of(const GridLike& from, double spacing) {
     grid.cells[k] = static_cast<int>(cells);
     grid.origin[k] = keeps_cells ? whole[k] + before * side : part[k];
   }
-  if (raster.crs.known()) {
-    grid.crs = raster.crs;
-  }
+  grid.crs = raster.crs;
   return grid;
 }
 

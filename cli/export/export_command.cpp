@@ -58,7 +58,7 @@ Raster raster_on(const Grid& grid, std::vector<double> values) {
   raster.origin_x = grid.x(0), raster.origin_y = grid.y(0);
   raster.spacing_x = raster.spacing_y = grid.spacing;
   raster.has_georeference = true;
-  raster.crs = grid.crs.value_or(Crs{});
+  raster.crs = grid.crs;
   raster.values = std::move(values);
   return raster;
 }
@@ -230,7 +230,7 @@ ExitCode export_command(const ExportArguments& arguments, Console& console) {
   const ExportPlan plan = plan_export(arguments, series);
   const Exporter exporter(series, plan);
   prepare_targets(plan, arguments.overwrite);
-  if (plan.what == Subject::rasters && !series.grid().crs && !arguments.quiet) {
+  if (plan.what == Subject::rasters && !series.grid().crs.known() && !arguments.quiet) {
     console.err << fmt::format(
         "sandsim: warning: {}: the grid has no CRS, and so have the rasters; "
         "state it in the scene as grid.crs\n",

@@ -92,8 +92,8 @@ Handle create_dataset(hid_t file, const Variable& variable, const Scene& scene) 
 
 /// The CRS for readers of CF and, as spatial_ref with the corner of the grid, for GDAL.
 void describe_crs(hid_t dataset, const Grid& grid) {
-  hdf5::write_attribute(dataset, "crs_wkt", grid.crs->wkt);
-  hdf5::write_attribute(dataset, "spatial_ref", grid.crs->wkt);
+  hdf5::write_attribute(dataset, "crs_wkt", grid.crs.wkt);
+  hdf5::write_attribute(dataset, "spatial_ref", grid.crs.wkt);
   const double north = grid.origin[1] + grid.cells[1] * grid.spacing;
   hdf5::write_attribute(dataset, "GeoTransform",
                         fmt::format("{} {} 0 {} 0 {}", grid.origin[0], grid.spacing, north, -grid.spacing));
@@ -107,7 +107,7 @@ void describe(hid_t dataset, const Variable& variable, const Scene& scene) {
     describe_crs(dataset, scene.grid);
     return;
   }
-  if (scene.grid.crs && variable.over_grid()) {
+  if (scene.grid.crs.known() && variable.over_grid()) {
     hdf5::write_attribute(dataset, "grid_mapping", std::string(grid_mapping_name));
   }
   if (!variable.units.empty()) hdf5::write_attribute(dataset, "units", variable.units);

@@ -115,7 +115,7 @@ std::vector<Variable> series_layout(const Scene& scene) {
   variables.push_back({"y", {y}, "m", "y of the cell centres", float64});
   variables.push_back({"x", {x}, "m", "x of the cell centres", float64});
   // CF: what fields name by their attribute grid_mapping.
-  if (scene.grid.crs) variables.push_back({grid_mapping_name, {}, "", "coordinate reference system", int64});
+  if (scene.grid.crs.known()) variables.push_back({grid_mapping_name, {}, "", "coordinate reference system", int64});
   if (scene.output.frames) {
     variables.push_back({"bed", {y, x}, "m", "elevation of the bed", real});
     add_fields(variables, scene.output);

@@ -31,6 +31,9 @@ class MapWriter {
  private:
   template <class T>
   void write(const std::string& key, T& value, const Rule& rule) {
+    if constexpr (requires { value.known(); }) {
+      if (!value.known()) return;
+    }
     if constexpr (OneLine<T>) {
       add_line(key + ": " + value_text(located(value), rule));
     } else {

@@ -242,14 +242,14 @@ void Reading::parse(const Node& node, const std::string& path, Crs& target, cons
 /// Coordinates of another CRS than the grid's would lie elsewhere; whether the grid has any is the scene's choice.
 void Reading::check_crs(const Node& node, const std::string& path, const Raster& raster) {
   if (!grid_known_ || !raster.crs.known()) return;
-  if (!crs_) {
+  if (!crs_.known()) {
     warn(node, path,
          {"the results carry no CRS", "the raster is in " + raster.crs.name + ", the grid states none",
           "Add \"crs: " + raster.crs.name + "\" to the grid, or take the grid by \"like\"."});
-  } else if (raster.crs != *crs_ && !gis(node.text).is_same(raster.crs, *crs_)) {
+  } else if (raster.crs != crs_ && !gis(node.text).is_same(raster.crs, crs_)) {
     complain(node, path,
-             {"the raster is in another CRS than the grid", raster.crs.name + ", not " + crs_->name,
-              "Project it: gdalwarp -t_srs " + crs_->name + " -r bilinear " + node.text + " projected.tif"});
+             {"the raster is in another CRS than the grid", raster.crs.name + ", not " + crs_.name,
+              "Project it: gdalwarp -t_srs " + crs_.name + " -r bilinear " + node.text + " projected.tif"});
   }
 }
 

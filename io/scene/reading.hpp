@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -71,8 +70,8 @@ class Reading {
   Problems& problems_;
   std::filesystem::path directory_;
   std::vector<std::string>* warnings_;
-  double cell_ = 1.0;       // [m] the grid's spacing; 1 m until it is known
-  std::optional<Crs> crs_;  // of the grid
+  double cell_ = 1.0;  // [m] the grid's spacing; 1 m until it is known
+  Crs crs_;            // of the grid
   bool grid_known_ = false;
   std::map<std::string, const Node*> given_;
   std::set<std::string> singles_;

@@ -1,6 +1,5 @@
 #include "io/study/study_reader.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -239,11 +238,14 @@ void StudyReader::check_references(std::size_t k, const Scene& scene) {
 // ---- expansion ------------------------------------------------------------------------------------------------------
 /// Every combination of a method and of the values of `vary`, without a spacing.
 std::vector<std::pair<StudyCase, StudyReader::Overrides>> StudyReader::curves(const Overrides& common) const {
-  std::vector<std::pair<StudyCase, Overrides>> all(std::max<std::size_t>(1, plan_.study.methods.size()));
-  for (auto& [curve, overrides] : all) overrides = common;
-  for (std::size_t k = 0; k < plan_.study.methods.size(); ++k) {
-    all[k].first.method = plan_.study.methods[k].name;
-    append(all[k].second, plan_.study.methods[k].set);
+  std::vector<std::pair<StudyCase, Overrides>> all{{StudyCase{}, common}};
+  if (!plan_.study.methods.empty()) {
+    all.clear();
+    for (const StudyMethod& method : plan_.study.methods) {
+      all.emplace_back(StudyCase{}, common);
+      all.back().first.method = method.name;
+      append(all.back().second, method.set);
+    }
   }
   for (const Node& axis : plan_.study.vary.axes) {
     std::vector<std::pair<StudyCase, Overrides>> longer;

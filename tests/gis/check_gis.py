@@ -106,7 +106,7 @@ class CoordinateReferenceSystems(GisCase):
     def test_degrees_are_refused_with_the_zone_to_project_to(self):
         files.geotiff(self.folder / "dem.tif", files.elevation(), epsg=4326,
                       transform=(10.0, 1e-4, 0.0, 47.0, 0.0, -1e-4))
-        self.refused(self.scene(grid="{cells: [3, 3], spacing: 1 m}", initial="[]"), EXIT_MISSING, "degrees",
+        self.refused(self.scene(grid="{cells: [3, 3], spacing: 1 m}", initial="{type: layer, depth: 1 cm}"), EXIT_MISSING, "degrees",
                      "gdalwarp -t_srs EPSG:32632", "scene.yaml:2:")
 
 
