@@ -384,6 +384,7 @@ void Run::fail(Incident incident, const std::string& problem, const std::string&
 void Run::finish() {
   deliver_frame();
   report_.steps = loop_.steps;
+  report_.threads = backend_->threads();
   report_.memory_bytes = backend_->memory_bytes();
   report_.at_rest = loop_.at_rest;
   report_.simulated_time = loop_.time;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "solver/backends/coupling/host_scratch.hpp"
 #include "solver/backends/coupling/prepare.hpp"
 #include "solver/backends/cpu/rows.hpp"
+#include "solver/backends/cpu/team.hpp"
 #include "solver/backends/diagnostics.hpp"
 #include "solver/backends/halo.hpp"
 #include "solver/backends/particles/threaded.hpp"
@@ -34,13 +36,13 @@ class CpuBackend final : public Backend {
   CpuBackend(const BackendConfig& config, const InitialState& initial, Make make);
 
   std::string device() const override { return "cpu"; }
-  int threads() const override { return threads_; }
+  int threads() const override { return team_.usual(); }
   std::int64_t memory_bytes() const override;
   double bytes_per_step() const override;
 
   void set_state(const StateArrays& state) override;
   StateArrays state() const override;
-  double stable_step() const override { return static_cast<double>(stable_step_of(fastest_)); }
+  double stable_step() const override;
   SpeedLimit speed_limit() const override;
   double slope_violation() const override { return largest_slope_violation(diagnosed()); }
 
@@ -59,10 +61,10 @@ class CpuBackend final : public Backend {
   double rain(const SandRain& rain, double dt) override;
   ObjectEffect couple(const ObjectStep& one, const std::vector<ObjectStep>& all) override;
 
-  GridStatistics statistics() const override { return grid_statistics(diagnosed(), threads_); }
+  GridStatistics statistics() const override { return grid_statistics(diagnosed(), team_.size()); }
   FieldValues field(const std::string& name) const override { return named_field(diagnosed(), name); }
   std::vector<ProbeSample> sample(const std::vector<std::int64_t>& cells) const override;
-  void update_maxima(double time) override { maxima_.update(diagnosed(), time, threads_); }
+  void update_maxima(double time) override { maxima_.update(diagnosed(), time, team_.size()); }
   FinalFields maxima() const override { return maxima_.fields(); }
   void set_maxima(const FinalFields& fields) override { maxima_.set(fields); }
   Incident find_broken() const override { return first_broken(diagnosed()); }
@@ -77,23 +79,23 @@ class CpuBackend final : public Backend {
   void take_material(const InitialState& initial);
   StepFields<R> fields() const;
   physics::StepParameters<R> parameters(R dt) const;
-  R stable_step_of(R fastest) const {
-    return fastest > R(0) ? Rows::step_courant(static_cast<R>(config_.courant)) * parameters(R(0)).dx / fastest
-                          : std::numeric_limits<R>::infinity();
-  }
   Diagnosed<R> diagnosed() const;
-  /// Largest bounding speed over rows [j0, j1) of the state in buffer `which`.
-  R rows_speed(const Rows& rows, std::size_t which, int j0, int j1) const;
+  /// The bounding speeds of rows [j0, j1) of the state in buffer `which`.
+  void take_speeds(const Rows& rows, std::size_t which, int j0, int j1);
   /// A single row has no neighbours across.
   void fill_ghost_rows(std::size_t which) {
     if constexpr (!Rows::one_d) {
       halo_.fill_rows(h_[which].view(), hu_[which].view(), hv_[which].view());
     }
   }
+  int blocks() const { return (ny() + block_ - 1) / block_; }
+  // Each takes a step into the other buffers and returns its flags.
+  int step_alone(const Rows& rows);
+  int step_together(const Rows& rows);
   /// Steps a block of rows and takes the speeds of those whose neighbours it holds.
-  int step_block(const Rows& rows, Scratch<R>& scratch, int block, R& fastest);
+  int step_block(const Rows& rows, Scratch<R>& scratch, int block);
   /// The speeds of a block's first and last row, once all blocks are done.
-  void step_edges(const Rows& rows, int block, R& fastest) const;
+  void step_edges(const Rows& rows, int block);
   double outflow(double dt) const;
   /// After a change to rows [j0, j1) of the present state: their ghost cells, and the speeds around them.
   void refresh_rows(int j0, int j1);
@@ -101,43 +103,53 @@ class CpuBackend final : public Backend {
   BackendConfig config_;
   Make make_;
   Halo halo_;
-  int threads_ = 1;
+  Team team_;
   int tile_ = 0;
   int block_ = 0;
   std::size_t current_ = 0;
-  R fastest_ = 0;  // [m/s] bounds the next step
   std::array<Field<R>, 2> h_, hu_, hv_;
   Field<R> bed_, mu_, alpha_, cap_;
   Field<R> ground_;       // the bed without objects; only with covering objects
   Field<double> buried_;  // likewise
   physics::Material<R> material_{};
+  std::vector<R> row_speed_;                      // [m/s] of each row of the present state; the largest bounds the step
   std::vector<Scratch<R>> scratch_;               // one a thread
   std::array<std::vector<double>, 4> side_mass_;  // x_min, x_max, y_min, y_max; empty where the side is closed
   SideFlow flow_;
   Maxima<R> maxima_;
   Capture capture_;
   coupling::HostScratch coupling_scratch_;
-  std::unique_ptr<particles::ParticleStage<particles::ThreadedMachine>> particles_;  // null without config.particles
+  std::shared_ptr<particles::ThreadedMachine> particle_machine_;                     // null without config.particles
+  std::unique_ptr<particles::ParticleStage<particles::ThreadedMachine>> particles_;  // likewise
 };
+
+/// As many threads as the scene asks for; else up to one a processor where the grid gives them enough to do.
+inline Team team_for(const BackendConfig& config) {
+  constexpr std::size_t small = 16384;  // cells below which a second thread costs more than it brings
+  if (config.threads > 0) {
+    return {std::min(config.threads, config.grid.cells[1]), false};
+  }
+  return {config.grid.cell_count() < small ? 1 : std::min(omp_get_max_threads(), config.grid.cells[1]), true};
+}
 
 template <class Rows, class Make>
 CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialState& initial, Make make)
-    : config_(config), make_(std::move(make)), halo_{config.grid.cells[0], config.grid.cells[1], config.boundaries} {
-  constexpr int small = 16384;  // cells below which a second thread costs more than it brings
-  const int wanted = config.threads > 0 ? config.threads : omp_get_max_threads();
+    : config_(config),
+      make_(std::move(make)),
+      halo_{config.grid.cells[0], config.grid.cells[1], config.boundaries},
+      team_(team_for(config)) {
   tile_ = std::min(nx(), config.tile_columns > 0 ? config.tile_columns : 256);
-  const int rows_each = (ny() + wanted - 1) / wanted;
+  const int rows_each = (ny() + team_.most() - 1) / team_.most();
   block_ = std::max(1, config.block_rows > 0 ? config.block_rows : std::min(64, rows_each));
-  const int blocks = (ny() + block_ - 1) / block_;
-  threads_ = nx() * static_cast<std::int64_t>(ny()) < small && config.threads == 0 ? 1 : std::min(wanted, blocks);
 
   for (std::size_t k = 0; k < 2; ++k) {
     h_[k] = Field<R>(nx(), ny(), R(0));
     hu_[k] = Field<R>(nx(), ny(), R(0));
     hv_[k] = Field<R>(nx(), ny(), R(0));
   }
+  row_speed_.assign(static_cast<std::size_t>(ny()), R(0));
   take_material(initial);
-  scratch_.assign(static_cast<std::size_t>(threads_), Scratch<R>(Rows::scratch_rows, tile_));
+  scratch_.assign(static_cast<std::size_t>(team_.most()), Scratch<R>(Rows::scratch_rows, tile_));
 
   flow_.nx = nx(), flow_.ny = ny();
   const auto open = [&](std::size_t side, BoundaryKind kind, int faces) -> double* {
@@ -156,8 +168,9 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
   }
 
   if (config.particles) {
+    particle_machine_ = std::make_shared<particles::ThreadedMachine>(team_.most());
     particles_ = std::make_unique<particles::ParticleStage<particles::ThreadedMachine>>(
-        std::make_shared<particles::ThreadedMachine>(wanted), *config.particles, config.grid, config.boundaries);
+        particle_machine_, *config.particles, config.grid, config.boundaries);
   }
 
   const std::vector<R> depth(initial.depth.begin(), initial.depth.end()), still(depth.size(), R(0));
@@ -262,7 +275,7 @@ void CpuBackend<Rows, Make>::set_state(const StateArrays& state) {
     halo_.fill_columns(h_[current_].view(), hu_[current_].view(), hv_[current_].view(), j);
   }
   fill_ghost_rows(current_);
-  fastest_ = rows_speed(make_(fields(), parameters(R(0))), current_, 0, ny());
+  take_speeds(make_(fields(), parameters(R(0))), current_, 0, ny());
 }
 
 template <class Rows, class Make>

@@ -4,12 +4,22 @@
 namespace sandsim::cpu {
 
 template <class Rows, class Make>
-auto CpuBackend<Rows, Make>::rows_speed(const Rows& rows, std::size_t which, int j0, int j1) const -> R {
-  R fastest = 0;
+void CpuBackend<Rows, Make>::take_speeds(const Rows& rows, std::size_t which, int j0, int j1) {
   for (int j = j0; j < j1; ++j) {
-    fastest = std::max(fastest, rows.row_speed(h_[which].view(), hu_[which].view(), hv_[which].view(), j, 0, nx()));
+    row_speed_[static_cast<std::size_t>(j)] =
+        rows.row_speed(h_[which].view(), hu_[which].view(), hv_[which].view(), j, 0, nx());
   }
-  return fastest;
+}
+
+template <class Rows, class Make>
+double CpuBackend<Rows, Make>::stable_step() const {
+  R fastest = 0;
+  for (const R speed : row_speed_) {
+    fastest = std::max(fastest, speed);
+  }
+  return fastest > R(0)
+             ? static_cast<double>(Rows::step_courant(static_cast<R>(config_.courant)) * parameters(R(0)).dx / fastest)
+             : std::numeric_limits<double>::infinity();
 }
 
 template <class Rows, class Make>
@@ -28,7 +38,7 @@ SpeedLimit CpuBackend<Rows, Make>::speed_limit() const {
 }
 
 template <class Rows, class Make>
-int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, int block, R& fastest) {
+int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, int block) {
   const int j0 = block * block_, j1 = std::min(j0 + block_, ny());
   int flags = 0;
   for (int i0 = 0; i0 < nx(); i0 += tile_) {
@@ -39,52 +49,63 @@ int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, in
   }
   // The block is still in cache: take the speeds of all rows whose neighbours it holds.
   const int edge = speed_needs_neighbours ? 1 : 0;
-  fastest = std::max(fastest, rows_speed(rows, next(), j0 + edge, j1 - edge));
+  take_speeds(rows, next(), j0 + edge, j1 - edge);
   return flags;
 }
 
 template <class Rows, class Make>
-void CpuBackend<Rows, Make>::step_edges(const Rows& rows, int block, R& fastest) const {
+void CpuBackend<Rows, Make>::step_edges(const Rows& rows, int block) {
   const int first = block * block_, last = std::min(first + block_, ny()) - 1;
-  fastest = std::max(fastest, rows_speed(rows, next(), first, first + 1));
-  fastest = std::max(fastest, rows_speed(rows, next(), last, last + 1));
+  take_speeds(rows, next(), first, first + 1);
+  take_speeds(rows, next(), last, last + 1);
 }
 
 template <class Rows, class Make>
 StepOutcome CpuBackend<Rows, Make>::step(double dt) {
   const Rows rows = make_(fields(), parameters(static_cast<R>(dt)));
-  const int blocks = (ny() + block_ - 1) / block_;
+  const auto start = team_.adapts() ? std::chrono::steady_clock::now() : std::chrono::steady_clock::time_point{};
+  const int flags = team_.size() == 1 ? step_alone(rows) : step_together(rows);
+  if (team_.adapts()) {
+    team_.took(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  current_ = next();
+  return {(flags & moving) != 0, (flags & changed) != 0, (flags & broken) != 0, outflow(dt)};
+}
+
+/// Without a parallel region, which costs more than the step of a small grid.
+template <class Rows, class Make>
+int CpuBackend<Rows, Make>::step_alone(const Rows& rows) {
   int flags = 0;
-  R fastest = 0;
-  if (threads_ == 1) {  // without a parallel region, which costs more than the step of a small grid
-    for (int block = 0; block < blocks; ++block) {
-      flags |= step_block(rows, scratch_.front(), block, fastest);
-    }
-    fill_ghost_rows(next());
-    for (int block = 0; speed_needs_neighbours && block < blocks; ++block) {
-      step_edges(rows, block, fastest);
-    }
-  } else {
-#pragma omp parallel num_threads(threads_) reduction(| : flags) reduction(max : fastest)
-    {
-      Scratch<R>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+  for (int block = 0; block < blocks(); ++block) {
+    flags |= step_block(rows, scratch_.front(), block);
+  }
+  fill_ghost_rows(next());
+  for (int block = 0; speed_needs_neighbours && block < blocks(); ++block) {
+    step_edges(rows, block);
+  }
+  return flags;
+}
+
+template <class Rows, class Make>
+int CpuBackend<Rows, Make>::step_together(const Rows& rows) {
+  int flags = 0;
+#pragma omp parallel num_threads(team_.size()) reduction(| : flags)
+  {
+    Scratch<R>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
-      for (int block = 0; block < blocks; ++block) {
-        flags |= step_block(rows, scratch, block, fastest);
-      }
+    for (int block = 0; block < blocks(); ++block) {
+      flags |= step_block(rows, scratch, block);
+    }
 #pragma omp single
-      fill_ghost_rows(next());
-      if constexpr (speed_needs_neighbours) {
+    fill_ghost_rows(next());
+    if constexpr (speed_needs_neighbours) {
 #pragma omp for schedule(static)
-        for (int block = 0; block < blocks; ++block) {
-          step_edges(rows, block, fastest);
-        }
+      for (int block = 0; block < blocks(); ++block) {
+        step_edges(rows, block);
       }
     }
   }
-  current_ = next();
-  fastest_ = fastest;
-  return {(flags & moving) != 0, (flags & changed) != 0, (flags & broken) != 0, outflow(dt)};
+  return flags;
 }
 
 template <class Rows, class Make>
@@ -119,13 +140,10 @@ void CpuBackend<Rows, Make>::refresh_rows(int j0, int j1) {
   }
   fill_ghost_rows(current_);
   const Rows rows = make_(fields(), parameters(R(0)));
-  const auto take_speeds = [&](int first, int last) {
-    fastest_ = std::max(fastest_, rows_speed(rows, current_, first, last));
-  };
-  take_speeds(std::max(0, j0 - 1), std::min(ny(), j1 + 1));
+  take_speeds(rows, current_, std::max(0, j0 - 1), std::min(ny(), j1 + 1));
   if (config_.boundaries.y_min == BoundaryKind::periodic && (j0 == 0 || j1 == ny())) {
-    take_speeds(0, 1);  // neighbours across the periodic sides
-    take_speeds(ny() - 1, ny());
+    take_speeds(rows, current_, 0, 1);  // neighbours across the periodic sides
+    take_speeds(rows, current_, ny() - 1, ny());
   }
 }
 
@@ -155,7 +173,7 @@ template <class Rows, class Make>
 void CpuBackend<Rows, Make>::move_particles(double dt) {
   const Diagnosed<R> d = diagnosed();
   const R dry = d.parameters.dry_depth;
-#pragma omp parallel for num_threads(threads_) schedule(static) if (threads_ > 1)
+#pragma omp parallel for num_threads(team_.size()) schedule(static) if (team_.size() > 1)
   for (int j = 0; j < ny(); ++j) {
     for (int i = 0; i < nx(); ++i) {
       const physics::Material<R> material =
@@ -163,6 +181,7 @@ void CpuBackend<Rows, Make>::move_particles(double dt) {
       particles_->sand().take(i, j, d.h.row(j)[i], d.hu.row(j)[i], d.hv.row(j)[i], d.b(i, j), d.cover, material, dry);
     }
   }
+  particle_machine_->use(team_.size());
   particles_->move(dt);
 }
 

@@ -65,6 +65,8 @@ class ThreadedBlock {
 class ThreadedMachine : public tiles::HostMachine {
  public:
   explicit ThreadedMachine(int threads) : threads_(threads) {}
+  /// The number of threads from now on.
+  void use(int threads) { threads_ = threads; }
 
   template <class Kernel>
   void launch(const Kernel& kernel, tiles::GridShape grid, tiles::BlockShape shape, std::size_t) {

@@ -92,10 +92,10 @@ SANDSIM_HD double outflow(Block& block, const Tile& tile, double dt) {
   return mass * static_cast<double>(static_cast<R>(dt)) * tile.fields.spacing;
 }
 
-/// Rain during the planned step onto the state `which`, with the speeds of the cells that it reaches. [m^3]
+/// Rain during the planned step onto the state `which`. The speeds of that state are no longer known after it. [m^3]
 template <class Tile, class Block>
 SANDSIM_HD double rain(Block& block, const Tile& tile, int which, const RainView* rains, int count,
-                       Control<typename Tile::Real>* control) {
+                       const Control<typename Tile::Real>* control) {
   using R = typename Tile::Real;
   const StateView<R>& state = tile.fields.state(which);
   const double begin = control->loop.time, end = control->loop.time + control->loop.step;
@@ -116,24 +116,33 @@ SANDSIM_HD double rain(Block& block, const Tile& tile, int which, const RainView
       lane += static_cast<double>(h) - static_cast<double>(before);
     });
     volume += gained * tile.fields.spacing * tile.fields.spacing;
-    block.each([&](int x, int strip) {
-      R fastest = 0;
-      for (std::int64_t n = strip * block.width() + x; n < source.count; n += block.width() * block.strips()) {
-        const std::int64_t cell = source.cells[n];
-        const int i = static_cast<int>(cell % nx), j = static_cast<int>(cell / nx);
-        const auto take = [&](int at_i, int at_j) {
-          const int column = tile.fields.column(at_i).index, row = tile.fields.row(at_j).index;
-          fastest = physics::maximum(fastest, tile.speed(state, column, row));
-        };
-        take(i, j), take(i - 1, j), take(i + 1, j);
-        if constexpr (!Tile::one_d) {
-          take(i, j - 1), take(i, j + 1);
-        }
-      }
-      block.raise(&control->fastest_new, fastest);
-    });
   }
   return volume;
+}
+
+/// The speed that bounds the step in cell k of the state `which`.
+template <class Tile>
+SANDSIM_HD typename Tile::Real speed_of_cell(const Tile& tile, int which, std::int64_t k) {
+  const int nx = tile.fields.nx;
+  return tile.speed(tile.fields.state(which), static_cast<int>(k % nx), static_cast<int>(k / nx));
+}
+
+/// Raises *fastest to the largest speed of the state `which`; the block is number `number` of `blocks` that share the
+/// cells.
+template <class Tile, class Block>
+SANDSIM_HD void raise_speeds(Block& block, const Tile& tile, int which, int number, int blocks,
+                             typename Tile::Real* fastest) {
+  using R = typename Tile::Real;
+  const std::int64_t cells = static_cast<std::int64_t>(tile.fields.nx) * tile.fields.ny;
+  const int threads = block.width() * block.strips();
+  block.each([&](int x, int strip) {
+    R largest = 0;
+    for (std::int64_t k = static_cast<std::int64_t>(number) * threads + strip * block.width() + x; k < cells;
+         k += static_cast<std::int64_t>(threads) * blocks) {
+      largest = physics::maximum(largest, speed_of_cell(tile, which, k));
+    }
+    block.raise(fastest, largest);
+  });
 }
 
 /// After the last change to the new state: makes it the present one and plans the next step.

@@ -21,6 +21,7 @@ struct Control {
   // Gathered from all blocks during a step:
   R fastest_new = 0;  // [m/s]
   int bits = 0;
+  double rained = 0.0;   // [m^3] onto the state that the step has made
   unsigned arrived = 0;  // blocks
 };
 

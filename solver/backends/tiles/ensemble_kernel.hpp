@@ -51,7 +51,16 @@ struct EnsembleKernel {
       const int current = here.control.current;
       here.tile.step(block, current, static_cast<R>(here.control.loop.step), height, bounds, outcomes);
       gather(block, outcomes, &here.control);
-      const double volume = rain(block, here.tile, 1 - current, member.rains, member.rain_count, &here.control);
+      double volume = 0.0;
+      if (member.rain_count > 0) {
+        volume = rain(block, here.tile, 1 - current, member.rains, member.rain_count, &here.control);
+        block.each([&](int x, int strip) {
+          if (x == 0 && strip == 0) {
+            here.control.fastest_new = R(0);  // those of the step are no longer the state's
+          }
+        });
+        raise_speeds(block, here.tile, 1 - current, 0, 1, &here.control.fastest_new);
+      }
       close_step(block, here.tile, &here.control, volume);
       if (member.maxima.depth != nullptr) {
         block.each([&](int x, int strip) {

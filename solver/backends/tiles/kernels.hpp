@@ -37,7 +37,7 @@ struct StepKernel {
   }
 };
 
-/// Rain, by one block: onto the new state, and then the step ends; or onto the present state, between steps.
+/// Rain, by one block: onto the state that the step has made, or between steps onto the present one.
 template <class Tile>
 struct RainKernel {
   static constexpr const char* doing = "add sand";
@@ -47,7 +47,7 @@ struct RainKernel {
   Control<R>* control;
   const RainView* rains;
   int count;
-  bool ends_step;
+  bool onto_new;
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
@@ -55,15 +55,33 @@ struct RainKernel {
       return;
     }
     const int current = control->current;
-    const double volume = rain(block, tile, ends_step ? 1 - current : current, rains, count, control);
-    if (ends_step) {
-      close_step(block, tile, control, volume);
-    } else {
-      block.each([&](int x, int strip) {
-        if (x == 0 && strip == 0) {
-          control->loop.volume_in += volume;
-        }
-      });
+    const double volume = rain(block, tile, onto_new ? 1 - current : current, rains, count, control);
+    block.each([&](int x, int strip) {
+      if (x == 0 && strip == 0) {
+        control->rained = volume;
+        control->fastest_new = R(0);  // those of the step are no longer the state's
+      }
+    });
+  }
+};
+
+/// Ends a step in which it has rained: the next one is bounded by the speeds of the state as it is then.
+template <class Tile>
+struct EndRainKernel {
+  static constexpr const char* doing = "end a step with new sand";
+  static constexpr int most_threads = cell_threads;
+  using R = typename Tile::Real;
+  Tile tile;
+  Control<R>* control;
+
+  template <class Block>
+  SANDSIM_HD void operator()(Block& block) const {
+    if (block.read(&control->go) == 0) {
+      return;
+    }
+    raise_speeds(block, tile, 1 - control->current, block.x(), block.blocks(), &control->fastest_new);
+    if (block.last(&control->arrived)) {
+      close_step(block, tile, control, control->rained);
     }
   }
 };
@@ -110,17 +128,7 @@ struct SpeedKernel {
 
   template <class Block>
   SANDSIM_HD void operator()(Block& block) const {
-    block.each([&](int x, int) {
-      R largest = 0;
-      each_cell_of(block, tile.fields, x,
-                   [&](std::int64_t k) { largest = physics::maximum(largest, speed_of_cell(tile, current, k)); });
-      block.raise(fastest, largest);
-    });
-  }
-
-  SANDSIM_HD static R speed_of_cell(const Tile& tile, int current, std::int64_t k) {
-    const int nx = tile.fields.nx;
-    return tile.speed(tile.fields.state(current), static_cast<int>(k % nx), static_cast<int>(k / nx));
+    raise_speeds(block, tile, current, block.x(), block.blocks(), fastest);
   }
 };
 
@@ -139,7 +147,7 @@ struct FindSpeedKernel {
   SANDSIM_HD void operator()(Block& block) const {
     block.each([&](int x, int) {
       each_cell_of(block, tile.fields, x, [&](std::int64_t k) {
-        if (SpeedKernel<Tile>::speed_of_cell(tile, current, k) == *fastest) {
+        if (speed_of_cell(tile, current, k) == *fastest) {
           block.lower(cell, k);
         }
       });

@@ -67,12 +67,12 @@ ObjectEffect TileBackend<Machine, Tile>::couple(const ObjectStep& one, const std
     take_others(job, one, all);
   }
   job.scratch = coupling_scratch_.data(), job.levels = coupling_levels_.data(), job.sums = coupling_sums_.data();
-  machine_->upload(found_speed_.data(), &control_.fastest, 1);
-  machine_->launch(CoupleKernel<Tile>{tile_, job, coupling, found_speed_.data()}, {1, 1},
-                   {CoupleKernel<Tile>::most_threads, 1}, block_sum_bytes);
-  machine_->download(&control_.fastest, found_speed_.data(), 1);
+  machine_->launch(CoupleKernel<Tile>{job, coupling}, {1, 1}, {CoupleKernel<Tile>::most_threads, 1}, block_sum_bytes);
   coupling::CouplingSums sums;
   machine_->download(&sums, coupling_sums_.data(), 1);
+  if (sums.changed > 0.0) {
+    control_.fastest = find_fastest();
+  }
   return coupling::effect_of(sums, config_.grid.spacing);
 }
 

@@ -205,6 +205,8 @@ void TileBackend<Machine, Tile>::advance(StepLoop& loop, const StepRules& rules,
       machine_->launch(
           RainKernel<Tile>{tile_, control_array_.data(), rains_.data(), static_cast<int>(config_.rains.size()), true},
           {1, 1}, {sum_lanes, 1}, block_sum_bytes);
+      machine_->launch(EndRainKernel<Tile>{tile_, control_array_.data()}, cell_blocks(), {cell_threads, 1},
+                       block_sum_bytes);
     }
     if (config_.maxima) {
       launch_maxima();
@@ -254,9 +256,8 @@ double TileBackend<Machine, Tile>::rain(const SandRain& rain, double dt) {
   machine_->launch(RainKernel<Tile>{tile_, control_array_.data(), views.data(), 1, false}, {1, 1}, {sum_lanes, 1},
                    block_sum_bytes);
   get_control();
-  control_.fastest = std::max(control_.fastest, control_.fastest_new);
-  control_.fastest_new = 0;
-  return control_.loop.volume_in;
+  control_.fastest = find_fastest();
+  return control_.rained;
 }
 
 }  // namespace sandsim::tiles
