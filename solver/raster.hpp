@@ -1,6 +1,7 @@
 // A raster: values on a regular grid with its own origin and spacing, as read from a file.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -27,10 +28,19 @@ struct Raster {
   double spacing_x = 1.0;         // [m]
   double spacing_y = 1.0;         // [m]
   bool has_georeference = false;  // false: the file carries no position (.npy); it then covers the grid
-  Crs crs{};                      // unknown unless the file carries it
   std::vector<double> values;     // nx * ny, row major, x fastest
+  Crs crs{};                      // unknown unless the file carries it
 
   double at(std::size_t column, std::size_t row) const { return values[row * nx + column]; }
+
+  /// The first row becomes the last.
+  void flip_rows() {
+    for (std::size_t row = 0; row < ny / 2; ++row) {
+      const auto lower = values.begin() + static_cast<std::ptrdiff_t>(row * nx);
+      std::swap_ranges(lower, lower + static_cast<std::ptrdiff_t>(nx),
+                       values.begin() + static_cast<std::ptrdiff_t>((ny - 1 - row) * nx));
+    }
+  }
 };
 
 /// A raster together with the name under which the scene refers to it.
