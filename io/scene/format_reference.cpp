@@ -100,6 +100,7 @@ class PageWriter {
   std::string type(const std::string&, bool&, const Rule&) { return "`true` or `false`"; }
   std::string type(const std::string&, std::string&, const Rule&) { return "text"; }
   std::string type(const std::string&, RasterFile&, const Rule&) { return "file"; }
+  std::string type(const std::string&, PolygonFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, Profile&, const Rule&) { return "file"; }
   std::string type(const std::string&, FrontCurve&, const Rule&) { return "file"; }
   std::string type(const std::string&, MeshFile&, const Rule&) { return "file"; }
