@@ -62,20 +62,18 @@ DiscIntegrals integrate(double x, double y, double radius) {
   return sum;
 }
 
-/// The integrals of 1 and of 1 - r/radius as parts of the cell.
-std::array<double, 2> covered_parts(std::array<double, 2> offset, double radius) {
-  // One of the eight cells that are mirrored and transposed images of each other stands for all.
+/// A cell against a disc: one of the eight cells that are mirrored and transposed images of each other stands for all.
+struct Placement {
+  double x, y;  // of the cell's centre, x >= y >= 0
+  bool is_outside, is_inside;
+};
+
+Placement place(const std::array<double, 2>& offset, double radius) {
   const double x = std::max(std::abs(offset[0]), std::abs(offset[1]));
   const double y = std::min(std::abs(offset[0]), std::abs(offset[1]));
-  const double nearest_x = std::max(0.0, x - 0.5);
-  const double nearest_y = std::max(0.0, y - 0.5);
-  if (nearest_x * nearest_x + nearest_y * nearest_y >= radius * radius) {
-    return {0.0, 0.0};
-  }
-  const bool full = (x + 0.5) * (x + 0.5) + (y + 0.5) * (y + 0.5) <= radius * radius;
-  const DiscIntegrals inside = integrate(x, y, radius);
-  const double area = full ? 1.0 : std::clamp(inside.area, 0.0, 1.0);
-  return {area, std::clamp(area - inside.distance / radius, 0.0, area)};
+  const auto square = [](double a, double b) { return a * a + b * b; };
+  const double nearest = square(std::max(0.0, x - 0.5), std::max(0.0, y - 0.5));
+  return {x, y, nearest >= radius * radius, square(x + 0.5, y + 0.5) <= radius * radius};
 }
 
 }  // namespace
@@ -91,11 +89,20 @@ double covered_length(double from, double to, int index) {
 }
 
 double covered_by_disc(std::array<double, 2> offset, double radius) {
-  return covered_parts(offset, radius)[0];
+  const Placement cell = place(offset, radius);
+  if (cell.is_outside || cell.is_inside) {
+    return cell.is_inside ? 1.0 : 0.0;
+  }
+  return std::clamp(integrate(cell.x, cell.y, radius).area, 0.0, 1.0);
 }
 
 double covered_by_cone(std::array<double, 2> offset, double radius) {
-  return covered_parts(offset, radius)[1];
+  const Placement cell = place(offset, radius);
+  if (cell.is_outside) {
+    return 0.0;
+  }
+  const DiscIntegrals inside = integrate(cell.x, cell.y, radius);
+  return std::clamp(inside.area - inside.distance / radius, 0.0, 1.0);
 }
 
 double covered_by_cone(double offset, double radius) {
