@@ -7,6 +7,7 @@
 #include "cli/machine.hpp"
 #include "cli/memory.hpp"
 #include "cli/run_paths.hpp"
+#include "cli/summary.hpp"
 #include "cli/text.hpp"
 #include "io/scene/resolved_scene.hpp"
 #include "io/scene/scene_reader.hpp"
@@ -19,6 +20,7 @@ namespace {
 std::string plan_lines(const Scene& scene, const Plan& plan) {
   std::string text = fmt::format("cells    {} x {} = {}\n", scene.grid.cells[0], scene.grid.cells[1],
                                  format_count(static_cast<std::int64_t>(scene.grid.cell_count())));
+  text += fmt::format("release  {}\n", release_text(plan.release));
   text += fmt::format("stages   {}\n", join(", ", plan.stages));
   text += fmt::format("memory   {}\n", format_bytes(static_cast<double>(plan.memory_bytes)));
   const std::string first = std::isfinite(plan.first_step)
@@ -41,6 +43,9 @@ ExitCode check_command(const CheckArguments& arguments, Console& console) {
   }
   require_memory(scene);  // The plan sets up the run, all but its steps.
   const Plan needs = plan(scene);
+  for (const std::string& warning : needs.warnings) {
+    console.err << "sandsim: warning: " << warning << '\n';
+  }
   console.out << resolved_scene(scene) << '\n' << plan_lines(scene, needs);
   const double available = available_memory();
   if (available > 0.0 && static_cast<double>(needs.memory_bytes) > available) {

@@ -9,8 +9,9 @@
 
 namespace sandsim::cli {
 
-/// Rasters of terrain, sand, friction and hbar, in the order of the scene. Files of references are left out: they may
-/// come later, and change no cell. Names are relative to `folder`, the scene's own.
+/// Rasters and polygons of terrain, sand, friction and hbar, meshes, signed distances and paths, in the order of the
+/// scene; with each of the first two the files beside it that say where it lies or belong to it (.prj, .dbf). Files of
+/// references are left out: they may come later, and change no cell. Names are relative to `folder`, the scene's own.
 std::vector<std::filesystem::path> input_files(const Scene& scene, const std::filesystem::path& folder);
 
 /// Files of references that are there, likewise.

@@ -103,6 +103,12 @@ RunReport RunSession::execute(const Checkpoint* checkpoint) {
     log_progress(progress);
     feed.update(progress);
   };
+  options.warn = [&](const std::string& warning) {
+    log_.warning(warning);
+    if (!arguments_.quiet) {
+      console_.err << "sandsim: warning: " << warning << '\n';
+    }
+  };
   options.checkpoint = [&](const Checkpoint& state) { save(state, sink); };
   RunReport report = sandsim::run(input_.scene, options, sink);
   sink.drain();

@@ -105,11 +105,29 @@ std::string error_line(const ErrorReport& error) {
 
 }  // namespace
 
+std::string release_text(const ReleaseReport& release) {
+  std::string text = fmt::format("{:.6g} m^3 of sand at the start", release.file_volume);
+  // Rounding of the sums is no part of it.
+  const double rounding = 1e-9 * release.file_volume;
+  if (release.outside_volume <= rounding && release.blocked_volume <= rounding) {
+    return text + ", all on the grid";
+  }
+  text += fmt::format(", {:.6g} m^3 of it on the grid", release.grid_volume);
+  if (release.outside_volume > rounding) {
+    text += fmt::format(", {:.6g} m^3 outside", release.outside_volume);
+  }
+  if (release.blocked_volume > rounding) {
+    text += fmt::format(", {:.6g} m^3 where solid objects or walls are", release.blocked_volume);
+  }
+  return text;
+}
+
 std::string run_summary(const Scene& scene, const RunReport& report, const std::string& files) {
   const std::string cells = fmt::format("{} x {} cells", scene.grid.cells[0], scene.grid.cells[1]);
   std::string text = scene.title.empty() ? cells + "\n" : fmt::format("{} ({})\n", scene.title, cells);
   text += status_line(scene, report);
   text += time_lines(scene, report);
+  text += line("release", release_text(report.release));
   text += volume_line(report.ledger);
   for (const ObjectReport& object : report.objects) {
     text += line("object",

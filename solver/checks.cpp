@@ -10,6 +10,7 @@
 #include "solver/checks_objects.hpp"
 #include "solver/checks_reference.hpp"
 #include "solver/grid_problems.hpp"
+#include "solver/polygon_coverage.hpp"
 
 namespace sandsim {
 
@@ -83,6 +84,22 @@ void check_inside(const Scene& scene, const std::string& key, const Extent& part
   issues.push_back({key, "lies outside the grid", grid_text(scene.grid), "", {"grid"}});
 }
 
+std::string spans(const Extent& part) {
+  return "it spans x from " + number_text(part.low[0]) + " m to " + number_text(part.high[0]) + " m and y from " +
+         number_text(part.low[1]) + " m to " + number_text(part.high[1]) + " m; ";
+}
+
+void check_polygons(const Scene& scene, const std::string& key, const PolygonFile& file, Issues& issues) {
+  if (!file.data || file.data->features.empty()) return;
+  const Bounds own = bounds_of(*file.data);
+  if (overlap(scene.grid, {own.low, own.high})) return;
+  issues.push_back({key,
+                    "the layer of polygons lies outside the grid",
+                    spans({own.low, own.high}) + grid_text(scene.grid),
+                    "Set grid.origin to a corner of it, or mind the CRS of both.",
+                    {"grid"}});
+}
+
 void check_raster(const Scene& scene, const std::string& key, const RasterFile& file, Issues& issues) {
   if (!file.data || !file.data->has_georeference || file.data->nx == 0 || file.data->ny == 0) return;
   const Raster& r = *file.data;
@@ -94,9 +111,7 @@ void check_raster(const Scene& scene, const std::string& key, const RasterFile& 
   if (overlap(scene.grid, own)) return;
   issues.push_back({key,
                     "the raster lies outside the grid",
-                    "it spans x from " + number_text(own.low[0]) + " m to " + number_text(own.high[0]) +
-                        " m and y from " + number_text(own.low[1]) + " m to " + number_text(own.high[1]) + " m; " +
-                        grid_text(scene.grid),
+                    spans(own) + grid_text(scene.grid),
                     "Set grid.origin to a corner of the raster.",
                     {"grid"}});
 }
@@ -139,6 +154,33 @@ struct PartChecks {
   void operator()(const SandCone& cone) const { check_inside(scene, key, disc(cone.center, cone.radius), issues); }
   void operator()(const SandLayer& layer) const { check_fill(key, layer.fill, issues); }
   void operator()(const SandRaster& raster) const { check_raster(scene, key + ".file", raster.file, issues); }
+  void operator()(const SandPolygon& polygon) const {
+    check_polygons(scene, key + ".file", polygon.file, issues);
+    if (polygon.depth.has_value() == polygon.file.attribute.empty()) {
+      check_values(polygon.file);
+      return;
+    }
+    const std::vector<std::string> both{key + ".depth", key + ".attribute", key + ".type"};
+    if (polygon.depth) {
+      issues.push_back({key + ".depth", "both depth and attribute", "polygons have one depth or each its own",
+                        "Remove one of the two.", both});
+    } else {
+      issues.push_back({key + ".depth", "missing", "polygons need a depth of sand, or an attribute that holds it",
+                        "Add \"depth: 2 m\" or \"attribute: thickness\".", both});
+    }
+  }
+  void check_values(const PolygonFile& file) const {
+    if (!file.data || file.attribute.empty()) return;
+    const auto is_negative = [](const PolygonFeature& feature) { return !(feature.value >= 0.0); };
+    const auto& features = file.data->features;
+    const auto found = std::find_if(features.begin(), features.end(), is_negative);
+    if (found == features.end()) return;
+    issues.push_back({key + ".attribute",
+                      "a polygon has a negative depth",
+                      number_text(found->value) + " in feature " + std::to_string(found - features.begin()) + " from 0",
+                      "",
+                      {key + ".file", key + ".type"}});
+  }
 };
 
 void check_velocity(const Scene& scene, const std::string& key, const SandVelocity& velocity, Issues& issues) {
@@ -187,7 +229,8 @@ void check_sand(const Scene& scene, Issues& issues) {
                       {"sand.friction_coefficient"}});
   }
   const auto check_map = [&](const std::string& key, const ScalarMap& map) {
-    if (const RasterFile* file = std::get_if<RasterFile>(&map)) check_raster(scene, key, *file, issues);
+    if (const auto* file = std::get_if<RasterFile>(&map)) check_raster(scene, key, *file, issues);
+    if (const auto* zones = std::get_if<ZoneMap>(&map)) check_polygons(scene, key, zones->polygons, issues);
   };
   if (sand.friction_angle) check_map("sand.friction_angle", *sand.friction_angle);
   if (sand.friction_coefficient) check_map("sand.friction_coefficient", *sand.friction_coefficient);

@@ -86,7 +86,7 @@ class ExactChecks {
       issues_.push_back({"reference.exact.dam", "lies outside the grid", "", "", {"grid"}});
     }
     const auto is_map = [](const std::optional<ScalarMap>& map) {
-      return map && std::holds_alternative<RasterFile>(*map);
+      return map && !std::holds_alternative<double>(*map);
     };
     const Sand& sand = scene_.sand;
     if (is_map(sand.friction_angle) || is_map(sand.friction_coefficient) || is_map(sand.hbar.scale) ||

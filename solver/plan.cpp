@@ -32,6 +32,7 @@ Plan plan(const Scene& scene) {
   const FrameSchedule schedule(scene.time);
   Plan plan;
   plan.stages = stage_names(scene);
+  plan.release = initial.release, plan.warnings = initial.warnings;
   plan.memory_bytes = backend->memory_bytes();
   plan.first_step = backend->stable_step();
   const double step = scene.time.mode == TimeMode::fixed ? scene.time.step : plan.first_step;

@@ -62,6 +62,15 @@ struct Ledger {
   double error() const;
 };
 
+/// Where the initial sand of the scene is: file = grid + outside + blocked. Sand that is filled up to a level counts on
+/// the grid only: elsewhere there is no ground that would tell how much it is. [m^3]
+struct ReleaseReport {
+  double file_volume = 0.0;     // of the shapes and files of the scene
+  double grid_volume = 0.0;     // that the run starts with
+  double outside_volume = 0.0;  // outside the grid
+  double blocked_volume = 0.0;  // where solid objects stand, or the terrain is a wall for lack of data
+};
+
 /// A cell and a moment, and why they are worth a word.
 struct Incident {
   int i = -1;
@@ -114,6 +123,7 @@ struct RunReport {
   std::optional<ParticleReport> particles;
   std::int64_t memory_bytes = 0;  // allocated by the backend
   Ledger ledger;
+  ReleaseReport release;
   double dt_min = 0.0;  // [s]
   double dt_max = 0.0;  // [s]
   std::optional<Incident> smallest_step;

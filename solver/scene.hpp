@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/polygons.hpp"
 #include "solver/raster.hpp"
 #include "solver/scene_objects.hpp"
 
@@ -22,6 +23,10 @@ enum class MomentumFlux { full, printed };
 enum class VelocityForm { quotient, desingularised };
 enum class BoundaryKind { wall, open, periodic };
 enum class HbarPolicy { full, constant, scaled, truncated };
+/// What becomes of cells where a raster of the terrain has no data.
+enum class Nodata { error, wall, nearest };
+/// Of the values of an attribute of polygons.
+enum class LengthUnit { m, cm, mm };
 enum class TimeMode { adaptive, fixed };
 enum class OutputField { depth, velocity, surface, momentum };
 enum class Compression { none, gzip };
@@ -55,12 +60,18 @@ struct RasterTerrain {
   RasterFile file;
   double scale = 1.0;   // factor on the raster's values
   double offset = 0.0;  // [m] added after scaling
+  Nodata nodata = Nodata::error;
 };
 using TerrainPart = std::variant<FlatTerrain, PlaneTerrain, RasterTerrain>;
 
 // ---- sand -----------------------------------------------------------------------------------------------------------
+/// Zones with a value each, and one for the rest of the grid. A cell takes the mean by covered area.
+struct ZoneMap {
+  PolygonFile polygons;  // values in the unit of `elsewhere`
+  double elsewhere = 0.0;
+};
 /// One number for the whole grid, or a map.
-using ScalarMap = std::variant<double, RasterFile>;
+using ScalarMap = std::variant<double, RasterFile, ZoneMap>;
 
 /// hbar, the depth of the dilute layer (section 3.1 of the paper).
 struct Hbar {
@@ -75,6 +86,8 @@ struct Fill {
   std::optional<double> depth;    // [m]
   std::optional<double> surface;  // [m]
 };
+// `place` is where the part is written, "scene.yaml:7:30", for messages; empty in scenes that were not read.
+
 /// Sand brings the momentum of its velocity along; what other parts add to a cell mixes with it.
 using SandVelocity = std::array<double, 2>;  // [m/s] x, y; y is 0 in a 1-D scene
 /// Cells partly inside get the covered fraction of the depth. In a 1-D scene only x counts.
@@ -83,29 +96,44 @@ struct SandBox {
   std::array<double, 2> to{0.0, 0.0};    // [m]
   Fill fill;
   SandVelocity velocity{0.0, 0.0};
+  std::string place{};
 };
 struct SandColumn {
   std::array<double, 2> center{0.0, 0.0};  // [m]
   double radius = 0.0;                     // [m]
   Fill fill;
   SandVelocity velocity{0.0, 0.0};
+  std::string place{};
 };
 struct SandCone {
   std::array<double, 2> center{0.0, 0.0};  // [m]
   double radius = 0.0;                     // [m]
   double height = 0.0;                     // [m] of sand at the centre
   SandVelocity velocity{0.0, 0.0};
+  std::string place{};
 };
 struct SandLayer {
   Fill fill;
   SandVelocity velocity{0.0, 0.0};
+  std::string place{};
 };
+/// Depths go onto the cells by covered area, NODATA is no sand.
 struct SandRaster {
   RasterFile file;  // depth [m]
   double scale = 1.0;
   SandVelocity velocity{0.0, 0.0};
+  std::string place{};
 };
-using SandPart = std::variant<SandBox, SandColumn, SandCone, SandLayer, SandRaster>;
+/// Overlapping features add up. Cells partly inside get the covered fraction.
+struct SandPolygon {
+  PolygonFile file;             // exactly one of its attribute and `depth` is given
+  std::optional<double> depth;  // [m] of all features
+  LengthUnit unit = LengthUnit::m;
+  bool normal_to_slope = false;  // the depth is measured normal to the bed: made a vertical one
+  SandVelocity velocity{0.0, 0.0};
+  std::string place{};
+};
+using SandPart = std::variant<SandBox, SandColumn, SandCone, SandLayer, SandRaster, SandPolygon>;
 
 /// Sand that rains onto a disc without momentum, evenly over the cells whose centres lie inside (at least one).
 struct SandSource {

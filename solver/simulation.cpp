@@ -105,6 +105,10 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
   }
   stages_ = {stage("step"), stage("sources"), stage("maxima"), stage("objects"), &report_.objects};
   frames_ = stage("frames"), particles_ = stage("particles");
+  report_.release = initial_.release;
+  if (options.warn) {
+    std::for_each(initial_.warnings.begin(), initial_.warnings.end(), options.warn);
+  }
   report_.ledger.initial = report_.ledger.final = backend_->statistics().volume;
 }
 

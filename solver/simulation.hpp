@@ -49,6 +49,7 @@ struct RunOptions {
   const std::atomic<bool>* interrupt = nullptr;       // set by a signal handler: end after the current step
   double max_wall = 0.0;                              // [s] 0: no limit
   std::function<void(const Progress&)> progress;      // may be empty
+  std::function<void(const std::string&)> warn;       // of the initial state, before the first step; may be empty
   std::function<void(const Checkpoint&)> checkpoint;  // called on interrupt, limit and at checkpoint_interval
   const Checkpoint* resume = nullptr;                 // go on from here
 };
@@ -66,6 +67,8 @@ struct Plan {
   std::int64_t predicted_steps = 0;  // end / first_step (or the fixed step): an estimate
   std::int64_t frames = 0;
   std::int64_t output_bytes = 0;  // uncompressed
+  ReleaseReport release;
+  std::vector<std::string> warnings;  // of the initial state
 };
 Plan plan(const Scene& scene);
 

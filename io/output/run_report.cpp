@@ -64,6 +64,13 @@ void add_ledger(JsonWriter& json, const Ledger& ledger) {
   json.member("volume_error", ledger.error());
 }
 
+void add_release(JsonWriter& json, const ReleaseReport& release) {
+  json.begin_object("release");
+  json.member("file_volume", release.file_volume).member("grid_volume", release.grid_volume);
+  json.member("outside_volume", release.outside_volume).member("blocked_volume", release.blocked_volume);
+  json.end_object();
+}
+
 /// Left out where no object is coupled.
 void add_objects(JsonWriter& json, const std::vector<ObjectReport>& objects) {
   if (objects.empty()) return;
@@ -131,6 +138,7 @@ std::string run_report_json(const RunReport& report, const RunContext& context) 
   add_run(json, report, context);
   add_cost(json, report);
   add_ledger(json, report.ledger);
+  add_release(json, report.release);
   add_objects(json, report.objects);
   add_particles(json, report.particles);
   json.member("dt_min", report.dt_min);

@@ -102,6 +102,7 @@ class PageWriter {
   std::string type(const std::string&, std::string&, const Rule&) { return "text"; }
   std::string type(const std::string&, RasterFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, Crs&, const Rule&) { return "text"; }
+  std::string type(const std::string&, PolygonFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, Profile&, const Rule&) { return "file"; }
   std::string type(const std::string&, FrontCurve&, const Rule&) { return "file"; }
   std::string type(const std::string&, MeshFile&, const Rule&) { return "file"; }

@@ -108,6 +108,9 @@ Members schema_of(const RasterFile&, const Rule&) {
 Members schema_of(const Crs&, const Rule&) {
   return with_type("string");
 }
+Members schema_of(const PolygonFile&, const Rule&) {
+  return with_type("string");
+}
 Members schema_of(const Profile&, const Rule&) {
   return with_type("string");
 }
@@ -125,16 +128,20 @@ Members schema_of(const PathTable&, const Rule&) {
 }
 
 Members schema_of(const ScalarMap&, const Rule& rule) {
-  Members properties{{"raster", object(with_type("string"))}};
-  std::vector<std::string> required{"raster"};
-  if (const std::string unit = map_unit(rule.dimension); !unit.empty()) {
-    properties.emplace_back("unit", object({{"const", in_quotes(unit)}}));
-    required.emplace_back("unit");
-  }
-  const Members map = with_type(
-      "object",
-      {{"properties", object(properties)}, {"required", array_of_texts(required)}, {"additionalProperties", "false"}});
-  return {{"anyOf", array({object(schema_of(double{}, rule)), object(map)})}};
+  const std::string number = object(schema_of(double{}, rule));
+  const auto map = [&](Members properties, std::vector<std::string> required) {
+    if (const std::string unit = map_unit(rule.dimension); !unit.empty()) {
+      properties.emplace_back("unit", object({{"const", in_quotes(unit)}}));
+      required.emplace_back("unit");
+    }
+    return object(with_type("object", {{"properties", object(properties)},
+                                       {"required", array_of_texts(required)},
+                                       {"additionalProperties", "false"}}));
+  };
+  const std::string text = object(with_type("string"));
+  return {{"anyOf", array({number, map({{"raster", text}}, {"raster"}),
+                           map({{"polygons", text}, {"layer", text}, {"attribute", text}, {"elsewhere", number}},
+                               {"polygons", "attribute", "elsewhere"})})}};
 }
 
 template <class E>

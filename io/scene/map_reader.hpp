@@ -172,8 +172,10 @@ class MapReader {
     if (!chosen) return;
     MapReader members(reading_, node, path);
     members.know("type");
-    describe(members, target.template emplace<T>());
+    T& part = target.template emplace<T>();
+    describe(members, part);
     members.finish();
+    if constexpr (requires { part.place; }) part.place = reading_.place_of(node);
   }
 
   // ScalarMap is a variant, but a value to the reader.

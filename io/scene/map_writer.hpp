@@ -94,14 +94,18 @@ class MapWriter {
     return directory_.empty() ? file : (directory_ / file).lexically_normal().string();
   }
   RasterFile located(const RasterFile& value) const { return {moved(value.file), value.data}; }
+  PolygonFile located(const PolygonFile& value) const {
+    return {moved(value.file), value.layer, value.attribute, value.data, value.place};
+  }
   Profile located(const Profile& value) const { return {moved(value.file), {}, {}}; }
   FrontCurve located(const FrontCurve& value) const { return {moved(value.file), {}, {}}; }
   MeshFile located(const MeshFile& value) const { return {moved(value.file), value.mesh, value.distance}; }
   SdfFile located(const SdfFile& value) const { return {moved(value.file), value.distance}; }
   PathTable located(const PathTable& value) const { return {moved(value.file), {}, {}}; }
   ScalarMap located(const ScalarMap& value) const {
-    const RasterFile* file = std::get_if<RasterFile>(&value);
-    return file == nullptr ? value : ScalarMap(located(*file));
+    if (const auto* file = std::get_if<RasterFile>(&value)) return located(*file);
+    const auto* zones = std::get_if<ZoneMap>(&value);
+    return zones == nullptr ? value : ZoneMap{located(zones->polygons), zones->elsewhere};
   }
 
   std::string indent_;

@@ -33,6 +33,14 @@ struct EnumNames<HbarPolicy> {
   static constexpr std::array names{"full", "constant", "scaled", "truncated"};
 };
 template <>
+struct EnumNames<Nodata> {
+  static constexpr std::array names{"error", "wall", "nearest"};
+};
+template <>
+struct EnumNames<LengthUnit> {
+  static constexpr std::array names{"m", "cm", "mm"};
+};
+template <>
 struct EnumNames<TimeMode> {
   static constexpr std::array names{"adaptive", "fixed"};
 };
@@ -62,7 +70,9 @@ struct TypeName<PlaneTerrain> {
 template <>
 struct TypeName<RasterTerrain> {
   static constexpr const char* name = "raster";
-  static constexpr const char* purpose = "A bed read from a file, in metres, resampled bilinearly at the cell centres.";
+  static constexpr const char* purpose =
+      "A bed read from a file, in metres: bilinear at the cell centres where the raster is coarser than the cells, the "
+      "mean over the cell where it is finer.";
 };
 template <>
 struct TypeName<SandBox> {
@@ -89,7 +99,15 @@ template <>
 struct TypeName<SandRaster> {
   static constexpr const char* name = "raster";
   static constexpr const char* purpose =
-      "Depths read from a file, in metres, resampled bilinearly at the cell centres.";
+      "Depths read from a file, in metres. They go onto the cells by covered area, so that the volume stays; NODATA is "
+      "no sand.";
+};
+template <>
+struct TypeName<SandPolygon> {
+  static constexpr const char* name = "polygon";
+  static constexpr const char* purpose =
+      "The polygons of a vector file (GeoJSON, shapefile, GeoPackage); cells partly inside get the covered fraction, "
+      "and overlapping polygons add up.";
 };
 template <>
 struct TypeName<DamBreakReference> {

@@ -58,6 +58,9 @@ void describe(V& v, RasterTerrain& t) {
           "ESRI ASCII grid or .npy; a relative name is relative to the scene file.");
   v.field("scale", t.scale, number(), "Factor on the values of the raster.");
   v.field("offset", t.offset, length(), "Height added after scaling.");
+  v.field("nodata", t.nodata, choice(),
+          "Cells where the raster has no data. error: the scene is refused. wall: no sand goes there; their bed in the "
+          "output is a level above all that sand can reach. nearest: they take the nearest value of the raster.");
 }
 
 // ---- sand -----------------------------------------------------------------------------------------------------------
@@ -111,6 +114,21 @@ void describe(V& v, SandRaster& s) {
 }
 
 template <class V>
+void describe(V& v, SandPolygon& s) {
+  v.field("layer", s.file.layer, text(), "Layer of the file; without it, its only one.");
+  v.field("attribute", s.file.attribute, text().like("thickness"),
+          "Numeric field of each polygon that holds its depth. Exactly one of attribute and depth is given.");
+  v.field("file", s.file, file().required().like("release.geojson"),
+          "Vector file; a relative name is relative to the scene file.");
+  v.field("depth", s.depth, length().at_least(0).like("2 m"), "Depth of sand in all polygons.");
+  v.field("unit", s.unit, choice(), "Of the attribute.");
+  v.field(
+      "normal_to_slope", s.normal_to_slope, choice(),
+      "The depth is measured normal to the bed: divided by the cosine of the bed's slope, from central differences.");
+  describe_velocity(v, s.velocity);
+}
+
+template <class V>
 void describe(V& v, SandSource& s) {
   v.field("center", s.center, length().required().like("[50 cm, 50 cm]"), "Centre of the disc.");
   v.field("radius", s.radius, length().above(0).required().like("2 cm"), "Radius of the disc.");
@@ -131,18 +149,23 @@ void describe(V& v, Hbar& h) {
   v.field("scale", h.scale,
           number().above(0).at_most(1).required().like("0.8").only(truncated || h.policy == HbarPolicy::scaled,
                                                                    "policy: scaled or truncated"),
-          "Factor on the depth of the sand; a number or {raster: FILE}.");
+          "Factor on the depth of the sand; a number, {raster: FILE} or zones {polygons: FILE, attribute: NAME, "
+          "elsewhere: 0.8}.");
   v.field("cap", h.cap, length().above(0).required().like("5 cm").only(truncated, "policy: truncated"),
-          "Largest depth of the dilute layer; a length or {raster: FILE, unit: m}.");
+          "Largest depth of the dilute layer; a length, {raster: FILE, unit: m} or zones {polygons: FILE, attribute: "
+          "NAME, unit: m, elsewhere: 5 cm}.");
 }
 
 template <class V>
 void describe(V& v, Sand& s) {
   v.field(
       "friction_angle", s.friction_angle, angle().at_least(0).at_most(89.99),
-      "Angle of friction; an angle or {raster: FILE, unit: deg}. Exactly one of this and the coefficient is given.");
+      "Angle of friction; an angle, {raster: FILE, unit: deg} or zones {polygons: FILE, attribute: NAME, unit: deg, "
+      "elsewhere: 25 deg}; cells that zones share take the mean by covered area. Exactly one of this and the "
+      "coefficient is given.");
   v.field("friction_coefficient", s.friction_coefficient, number().at_least(0),
-          "Tangent of the angle of friction; a number or {raster: FILE}.");
+          "Tangent of the angle of friction; a number, {raster: FILE} or zones {polygons: FILE, attribute: NAME, "
+          "elsewhere: 0.5}.");
   v.field("hbar", s.hbar, section(), "Depth of the dilute layer, which is the part that moves.");
   v.field("initial", s.initial, list().single_allowed(), "Sand at the start; the parts of a list are added up.");
   v.field("sources", s.sources, list(), "Sand that rains onto discs, without momentum.");

@@ -11,15 +11,14 @@ namespace sandsim {
 Problems::Problems(std::string name, std::vector<std::string> override_places)
     : name_(std::move(name)), override_places_(std::move(override_places)) {}
 
+std::string Problems::place(const Position& position) const {
+  if (position.override_at >= 0) return override_places_[static_cast<std::size_t>(position.override_at)];
+  if (position.line <= 0) return name_;
+  return name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column);
+}
+
 std::string Problems::format(const Position& position, std::string_view subject, const Complaint& complaint) const {
-  std::string text;
-  if (position.override_at >= 0) {
-    text = override_places_[static_cast<std::size_t>(position.override_at)] + ": ";
-  } else if (position.line > 0) {
-    text = name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column) + ": ";
-  } else {
-    text = name_ + ": ";
-  }
+  std::string text = place(position) + ": ";
   if (!subject.empty()) text += std::string(subject) + ": ";
   text += complaint.problem;
   if (!complaint.why.empty()) text += " (" + complaint.why + ')';

@@ -28,6 +28,8 @@ class Problems {
   /// A file that the scene refers to and that cannot be read.
   void add_input(const Position& position, std::string_view subject, const Complaint& complaint);
   std::string format(const Position& position, std::string_view subject, const Complaint& complaint) const;
+  /// "scene.yaml:7:30", or where the override was written.
+  std::string place(const Position& position) const;
 
   bool empty() const { return messages_.empty(); }
   /// Throws SceneError if there is a problem of the scene, InputError if only files are missing; else returns.

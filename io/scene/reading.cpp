@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "io/gis/gis.hpp"
@@ -11,6 +12,7 @@
 #include "io/mesh/read_sdf.hpp"
 #include "io/raster/read_csv.hpp"
 #include "io/raster/read_raster.hpp"
+#include "io/scene/fill_values.hpp"
 #include "io/scene/value_text.hpp"
 #include "solver/errors.hpp"
 
@@ -210,13 +212,15 @@ std::shared_ptr<const Raster> Reading::load(const Node& node, const std::string&
     smallest = std::min(smallest, value);
     largest = std::max(largest, value);
   }
+  const std::optional<FillValue> fill = find_fill_value(*raster);
+  if (fill) warn(node, path, describe_fill_value(*fill));
   const bool is_angle = rule.dimension == Dimension::angle;
   const auto si = [is_angle](double value) { return is_angle ? value * std::numbers::pi / 180 : value; };
   if (smallest <= largest && !(rule.holds(si(smallest)) && rule.holds(si(largest)))) {
-    complain(
-        node, path,
-        {"the raster holds values out of range",
-         "from " + shortest_text(smallest) + " to " + shortest_text(largest) + "; valid: " + rule.bounds_text(), ""});
+    complain(node, path,
+             {"the raster holds values out of range",
+              "from " + shortest_text(smallest) + " to " + shortest_text(largest) + "; valid: " + rule.bounds_text(),
+              fill ? describe_fill_value(*fill).suggestion : ""});
   }
   std::transform(raster->values.begin(), raster->values.end(), raster->values.begin(), si);
   return raster;
@@ -254,7 +258,7 @@ void Reading::check_crs(const Node& node, const std::string& path, const Raster&
 }
 
 void Reading::parse(const Node& node, const std::string& path, RasterFile& target, const Rule& rule) {
-  target = {node.text, load(node, path, rule)};
+  target = {node.text, load(node, path, rule), place_of(node)};
 }
 
 void Reading::parse(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule) {
@@ -262,6 +266,10 @@ void Reading::parse(const Node& node, const std::string& path, ScalarMap& target
     double value = 0.0;
     parse(node, path, value, rule);
     target = value;
+    return;
+  }
+  if (node.find("polygons") != nullptr) {
+    parse_zones(node, path, target, rule);
     return;
   }
   // The values of a map have no unit of their own, so that it is stated beside the file.
@@ -282,7 +290,7 @@ void Reading::parse(const Node& node, const std::string& path, ScalarMap& target
     complain_key(node.position, path + ".raster", {"missing", "the file of the map", "Write it like " + like + "."});
     return;
   }
-  target = RasterFile{raster->text, load(*raster, path + ".raster", rule)};
+  target = RasterFile{raster->text, load(*raster, path + ".raster", rule), place_of(*raster)};
 }
 
 template <class Table, class Read>

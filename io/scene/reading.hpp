@@ -27,6 +27,8 @@ class Reading {
   void parse(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, RasterFile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, Crs& target, const Rule& rule);
+  /// The layer and the attribute of the target are known.
+  void parse(const Node& node, const std::string& path, PolygonFile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, Profile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, FrontCurve& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, MeshFile& target, const Rule& rule);
@@ -44,6 +46,8 @@ class Reading {
   void complain_key(const Position& position, const std::string& path, const Complaint& complaint);
   /// A value was given here; later complaints about its path find it.
   void note(const std::string& path, const Node& node) { given_.try_emplace(path, &node); }
+  /// "scene.yaml:7:30"
+  std::string place_of(const Node& node) const { return problems_.place(node.position); }
   /// The list at `path` was written as its only entry.
   void note_single(const std::string& path) { singles_.insert(path); }
 
@@ -63,6 +67,7 @@ class Reading {
   /// Loads a raster whose values are in the display unit of the rule's dimension, and checks them.
   std::shared_ptr<const Raster> load(const Node& node, const std::string& path, const Rule& rule);
   void check_crs(const Node& node, const std::string& path, const Raster& raster);
+  void parse_zones(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule);
   template <class Table, class Read>
   void parse_table(const Node& node, const std::string& path, Table& target, const Rule& rule, Read read);
   std::string as_written(std::string path) const;

@@ -34,8 +34,13 @@ const char* map_unit(Dimension dimension) {
 
 std::string value_text(const ScalarMap& value, const Rule& rule) {
   if (const double* number = std::get_if<double>(&value)) return value_text(*number, rule);
-  const std::string unit = map_unit(rule.dimension);
-  return "{raster: " + in_quotes(std::get<RasterFile>(value).file) + (unit.empty() ? "" : ", unit: " + unit) + '}';
+  const std::string of_unit = map_unit(rule.dimension);
+  const std::string unit = of_unit.empty() ? "" : ", unit: " + of_unit;
+  if (const auto* raster = std::get_if<RasterFile>(&value)) return "{raster: " + in_quotes(raster->file) + unit + '}';
+  const ZoneMap& zones = std::get<ZoneMap>(value);
+  const PolygonFile& file = zones.polygons;
+  return "{polygons: " + in_quotes(file.file) + (file.layer.empty() ? "" : ", layer: " + in_quotes(file.layer)) +
+         ", attribute: " + in_quotes(file.attribute) + unit + ", elsewhere: " + value_text(zones.elsewhere, rule) + '}';
 }
 
 }  // namespace sandsim

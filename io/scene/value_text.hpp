@@ -37,6 +37,9 @@ inline std::string value_text(const RasterFile& value, const Rule&) {
 inline std::string value_text(const Crs& value, const Rule&) {
   return in_quotes(value.name);
 }
+inline std::string value_text(const PolygonFile& value, const Rule&) {
+  return in_quotes(value.file);
+}
 inline std::string value_text(const Profile& value, const Rule&) {
   return in_quotes(value.file);
 }

@@ -73,3 +73,18 @@ TEST_CASE("the input files of a scene are its rasters in the folder of the scene
   CHECK(files ==
         std::vector<std::filesystem::path>{"scenes/valley/dem.asc", "scenes/valley/depth.npy", "/maps/mu.asc"});
 }
+
+TEST_CASE("the input files have beside them those that say where they lie or belong to them") {
+  const test::TemporaryDirectory folder;
+  for (const char* name : {"dem.tif", "dem.tfw", "dem.tif.aux.xml", "area.shp", "area.shx", "area.dbf", "area.prj",
+                           "area.cpg", "other.prj"}) {
+    test::write_text(folder / name, "");
+  }
+  Scene scene;
+  scene.terrain = {RasterTerrain{{"dem.tif", nullptr}}};
+  scene.sand.initial = {SandPolygon{{"area.shp", "", "", nullptr, ""}}};
+  scene.sand.friction_angle = ZoneMap{{"soils.gpkg", "", "phi", nullptr, ""}, 0.5};
+  std::string names;
+  for (const auto& file : cli::input_files(scene, folder.path())) names += file.filename().string() + ' ';
+  CHECK(names == "dem.tif dem.tfw dem.tif.aux.xml area.shp area.shx area.dbf area.prj area.cpg soils.gpkg ");
+}
