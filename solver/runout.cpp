@@ -16,10 +16,14 @@ namespace {
 constexpr double thin_fraction = 0.01;
 /// The same of the spacing, where nothing is known of how deep the sand will be.
 constexpr double thin_fraction_of_spacing = 0.01;
-/// Share of the sand that may have left the grid while the centre of mass of the rest is taken for that of all.
+/// Share of the sand that may have left the grid while what the rest did is taken for what all of it did.
 constexpr double most_left = 0.01;
 /// Of the spacing: the centre of mass of a deposit that is symmetric but for rounding does not move.
 constexpr double least_shift = 1e-3;
+
+bool much_has_left(const Ledger& ledger) {
+  return ledger.out > most_left * (ledger.initial + ledger.in);
+}
 
 double rounded(double value, bool is_single) {
   return is_single ? static_cast<double>(static_cast<float>(value)) : value;
@@ -120,8 +124,9 @@ void RunoutMeter::visit_outline(std::size_t cell, const std::vector<double>& dep
   visit_towards(j + 1 < ny, cell + nx);
 }
 
-/// Area, deposit, and the farthest ground that was bare at the start.
-void RunoutMeter::add_ground(RunoutReport& report, const std::vector<double>& depth) const {
+/// Area, deposit, and the farthest ground that was bare at the start and bears sand now; where sand has left the grid,
+/// that has borne some: then it is near the edge.
+void RunoutMeter::add_ground(RunoutReport& report, const std::vector<double>& depth, bool has_left) const {
   if (top_) {
     report.front = {0.0, 0.0};
   }
@@ -139,7 +144,7 @@ void RunoutMeter::add_ground(RunoutReport& report, const std::vector<double>& de
     }
     cells += 1.0;
     const bool is_new = !(initial_depth(cell) > threshold_);
-    if (is_new) {
+    if (is_new && has_left) {
       take_farthest(ground(cell));
     }
     visit_outline(cell, depth, [&](const Place& place) {
@@ -165,7 +170,7 @@ RunoutMeter::Place RunoutMeter::center_of_mass(Depth depth) const {
 }
 
 Descent RunoutMeter::descent_of_mass(const std::vector<double>& depth, const Ledger& ledger) const {
-  if (ledger.in > 0.0 || ledger.out > most_left * ledger.initial) {
+  if (ledger.in > 0.0 || much_has_left(ledger)) {
     return {};
   }
   const Place from = center_of_mass([&](std::size_t cell) { return initial_depth(cell); });
@@ -178,7 +183,7 @@ RunoutReport RunoutMeter::report(const FieldValues& last_depth, const Ledger& le
   const std::vector<double> depth = as_double(last_depth);
   RunoutReport report;
   report.above = above_;
-  add_ground(report, depth);
+  add_ground(report, depth, much_has_left(ledger));
   report.center_of_mass = descent_of_mass(depth, ledger);
   report.deposit_height = *std::max_element(depth.begin(), depth.end());
   report.max_depth = std::max(record_.max_depth, report.deposit_height);

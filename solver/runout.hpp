@@ -53,7 +53,7 @@ class RunoutMeter {
   Place ground(std::size_t cell) const;
   template <class Visit>
   void visit_outline(std::size_t cell, const std::vector<double>& depth, Visit visit) const;
-  void add_ground(RunoutReport& report, const std::vector<double>& depth) const;
+  void add_ground(RunoutReport& report, const std::vector<double>& depth, bool has_left) const;
   template <class Depth>
   Place center_of_mass(Depth depth) const;
   Descent descent_of_mass(const std::vector<double>& depth, const Ledger& ledger) const;

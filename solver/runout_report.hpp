@@ -21,7 +21,7 @@ struct Descent {
 struct RunoutReport {
   double above = 0.0;  // [m] the threshold
   /// From the top of the release (the mean position of those of its cells whose surface is at most the threshold below
-  /// the highest; sources belong to it) to the farthest ground that sand has come to. 0 if it came nowhere.
+  /// the highest; sources belong to it) to the farthest new ground that bears sand at the end (see add_ground()), or 0.
   Descent front;
   /// Of the centre of mass. Not known with sources, nor when more than 1 % of the sand has left the grid.
   Descent center_of_mass;

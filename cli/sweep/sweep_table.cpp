@@ -117,7 +117,7 @@ void add_runout(const Add& add) {
   using Report = const RunoutReport&;
   add("front", "m", "largest x of the deposit", of_runout([](Report r) { return r.deposit_front; }));
   add("deposit_height", "m", "largest depth at the end", of_runout([](Report r) { return r.deposit_height; }));
-  add("runout", "m", "distance of the farthest ground reached from the top of the release",
+  add("runout", "m", "distance of the farthest new ground under the deposit from the top of the release",
       of_runout([](Report r) { return r.front.distance; }));
   add("drop", "m", "its elevation below the top of the release", of_runout([](Report r) { return r.front.drop; }));
   add("travel_angle", "rad", "atan(drop/runout)", of_runout([](Report r) { return r.front.travel_angle(); }));
