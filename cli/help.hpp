@@ -58,8 +58,9 @@ A sweep file says the same, and belongs to its scene (`sandsim sweep FILE`):
 
 Output:
   DIR/cases/HASH is the output of a run each; HASH stands for the scene and all files that it reads.
-  DIR/summary.csv and summary.h5 are the table of cases: values, exit code, front, deposit height, runout, stop time,
-  errors, volume error, steps, wall time. scripts/plot DIR draws it.
+  DIR/summary.csv and summary.h5 are the table of cases: values, exit code, front and height of the deposit, runout,
+  drop and travel angle of the front and of the centre of mass, area reached, largest depth and speed, volume out, stop
+  time, errors, volume error, steps, wall time; also without frames. scripts/plot DIR draws it (--metric NAME chooses).
 
 Stopping and going on:
   The same command again, or `sandsim sweep DIR`, goes on: finished cases are never run again, interrupted ones go on

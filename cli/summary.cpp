@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "cli/text.hpp"
 
@@ -59,6 +60,27 @@ std::string volume_line(const Ledger& ledger) {
   }
   text += ledger.clipped == 0.0 ? "; nothing clipped" : fmt::format("; clipped {:.3g} m^3", ledger.clipped);
   return line("volume", text);
+}
+
+std::string descent_text(const std::string& what, const Descent& descent) {
+  const double degrees = descent.travel_angle() * 180.0 / std::numbers::pi;
+  return fmt::format("{} {:.4g} m away and {:.4g} m down{}", what, descent.distance, descent.drop,
+                     std::isfinite(degrees) ? fmt::format(" ({:.1f} deg)", degrees) : "");
+}
+
+std::string runout_lines(const RunoutReport& runout) {
+  std::vector<std::string> parts;
+  if (runout.front.distance > 0.0) {
+    parts.push_back(descent_text("front", runout.front));
+  } else {
+    parts.push_back("no new ground reached");
+  }
+  if (std::isfinite(runout.center_of_mass.distance)) {
+    parts.push_back(descent_text("centre of mass", runout.center_of_mass));
+  }
+  return line("runout", join("; ", parts)) +
+         line("reached", fmt::format("{:.4g} m^2, up to {:.4g} m deep and {:.4g} m/s fast, where deeper than {:.3g} m",
+                                     runout.area, runout.max_depth, runout.max_speed, runout.above));
 }
 
 std::string front_name(const ErrorReport::Front& front) {
@@ -129,6 +151,9 @@ std::string run_summary(const Scene& scene, const RunReport& report, const std::
   text += time_lines(scene, report);
   text += line("release", release_text(report.release));
   text += volume_line(report.ledger);
+  if (report.runout) {
+    text += runout_lines(*report.runout);
+  }
   for (const ObjectReport& object : report.objects) {
     text += line("object",
                  fmt::format("{}: moved {:.4g} m^3 of sand out of its way, at most {:.3g} m below the sand beside it",

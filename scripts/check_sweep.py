@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import xarray
 
+from plot_sweep import choose
 from plotting import ROOT, sandsim
 from sandsim_series import Series, Summary
 
@@ -59,6 +60,22 @@ class Sweeps(unittest.TestCase):
         np.testing.assert_array_equal([float(row["runout [m]"]) for row in rows], summary["runout"])
         self.draw()
         self.draw("--metric", "steps")
+
+    def test_a_wall_time_is_drawn_only_when_it_is_asked_for(self):
+        class Times(dict):
+            metrics = ("wall_time", "volume_error")
+
+        times = Times(wall_time=np.array([1.0, 2.0]), volume_error=np.array([0.0, 0.0]))
+        self.assertEqual(choose(times, None), ["volume_error"])
+        self.assertEqual(choose(times, ["wall_time"]), ["wall_time"])
+
+    def test_the_runout_stands_in_the_summary_without_frames(self):
+        summary = self.sweep("--vary", "sand.friction_angle=20,30 deg", "--set", "output.frames=false")
+        self.assertGreater(summary["runout"][0], summary["runout"][1])      # less friction, farther
+        for name in ("area", "deposit_height", "drop", "front", "max_depth", "max_speed", "travel_angle"):
+            self.assertTrue((summary[name] > 0).all(), name)
+        np.testing.assert_array_equal(summary["volume_out"], 0)
+        np.testing.assert_allclose(np.tan(summary["travel_angle"]), summary["drop"] / summary["runout"])
 
     def test_one_key_a_sample_and_a_failed_case_are_drawn(self):
         self.sweep("--vary", "sand.hbar.policy=full,scaled,nonsense", "--set", "sand.hbar.scale=", "--skip-invalid",

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Draws a sweep: what came of the cases over what was varied, and maps where two keys were.
 
-Without --metric the first of runout, deposit height, stop time and errors that differ between the cases are drawn.
+Without --metric the first of errors, runout, deposit height, stop time ... that differ between the cases are drawn, never
+the wall time, which is that of a machine.
 """
 
 import numpy as np
@@ -9,7 +10,9 @@ import numpy as np
 from plotting import arguments, plt, save
 from sandsim_series import Summary
 
-PREFERRED = ("error_l1_relative", "error_front", "runout", "deposit_height", "stop_time", "front", "steps", "wall_time")
+PREFERRED = ("error_l1_relative", "error_front", "runout", "deposit_height", "stop_time", "front", "travel_angle", "area",
+             "max_speed", "max_depth", "steps")
+OF_THE_MACHINE = ("wall_time",)
 MOST = 3               # metrics in one picture, unless they are asked for
 
 
@@ -24,7 +27,7 @@ def choose(summary, asked):
         if name not in summary.metrics:
             raise SystemExit(f"no metric '{name}' here; there are {', '.join(summary.metrics)}")
     found = [name for name in PREFERRED if name in summary.metrics and differs(summary[name])]
-    return asked or found[:MOST] or list(summary.metrics)[:1]
+    return asked or found[:MOST] or [name for name in summary.metrics if name not in OF_THE_MACHINE][:1]
 
 
 class Axis:

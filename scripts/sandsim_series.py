@@ -40,6 +40,7 @@ class Series:
         self.bed = self._static("bed", 0.0)                 # (y, x) [m]
         self.max_depth = self._static("max_depth")          # (y, x) [m], None without output.maxima
         self.max_speed = self._static("max_speed_over_time")  # (y, x) [m/s]
+        self.max_pressure = self._static("max_pressure")    # (y, x) [Pa], None unless it was asked for
         self.arrival_time = self._static("arrival_time")    # (y, x) [s], NaN: never
         self.front_depths = self._read("front_depth")       # [m] thresholds that define the front
         self.fronts = self._read("front")                   # (time, front_depth) [m]

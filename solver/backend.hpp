@@ -56,12 +56,13 @@ struct BackendConfig {
   std::vector<SandRain> rains;
   std::vector<std::shared_ptr<const objects::Object>> objects;
   std::optional<Particles> particles;
-  bool maxima = false;         // keep max_depth, max_speed, arrival_time
-  double arrival_depth = 0.0;  // [m]
-  int threads = 0;             // 0: as many as the machine has; results do not depend on it
-  int tile_columns = 0;        // 0: chosen by the backend; results do not depend on it
-  int block_rows = 0;          // likewise
-  bool covers = false;         // objects are bed for the flow where they cover sand: keep ground and buried sand apart
+  bool maxima = false;   // keep max_depth, max_speed, arrival_time
+  double above = 0.0;    // [m] thinner sand counts neither as arrived nor for the largest speed
+  double drained = 0.0;  // [-] nor does the speed of what is left of a cell's largest depth, below this share of it
+  int threads = 0;       // 0: as many as the machine has; results do not depend on it
+  int tile_columns = 0;  // 0: chosen by the backend; results do not depend on it
+  int block_rows = 0;    // likewise
+  bool covers = false;   // objects are bed for the flow where they cover sand: keep ground and buried sand apart
 };
 
 /// Sums over the grid (in an order that does not depend on threads).
@@ -70,6 +71,8 @@ struct GridStatistics {
   double kinetic_energy = 0.0;  // [m^5/s^2]
   double max_speed = 0.0;       // [m/s]
   std::int64_t moving_cells = 0;
+  double max_depth = 0.0;        // [m]
+  double max_speed_above = 0.0;  // [m/s] of sand deeper than config.above
 };
 
 /// A cell with the speed that bounds the step there.

@@ -15,9 +15,6 @@
 namespace sandsim {
 namespace {
 
-/// Default depth from which sand counts as arrived, as a fraction of the spacing.
-constexpr double arrival_fraction = 1e-3;
-
 std::unique_ptr<Backend> make_with_bed_or_without(const BackendConfig& config, const InitialState& initial,
                                                   Device device) {
   if (device == Device::cuda) {
@@ -48,9 +45,7 @@ BackendConfig backend_config(const Scene& scene, int threads) {
   config.objects = coupled_objects(scene);
   config.covers = any_covers(config.objects);
   config.particles = scene.particles;
-  config.maxima = scene.output.maxima;
-  config.arrival_depth =
-      scene.output.arrival_depth > 0.0 ? scene.output.arrival_depth : arrival_fraction * scene.grid.spacing;
+  config.maxima = scene.output.maxima.has_value();
   config.threads = threads;
   return config;
 }

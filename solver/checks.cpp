@@ -328,6 +328,13 @@ void check_output(const Scene& scene, Issues& issues) {
     if (fields.insert(output.fields[k]).second) continue;
     issues.push_back({"output.fields." + std::to_string(k), "given twice", "", "Remove it.", {}});
   }
+  if (output.maxima && output.maxima->pressure && !scene.sand.density) {
+    issues.push_back({"sand.density",
+                      "missing",
+                      "output.maxima.pressure is density times the square of the speed",
+                      "Add \"density: 1500 kg/m^3\".",
+                      {"output.maxima"}});
+  }
   std::set<std::string> names;
   for (std::size_t k = 0; k < output.probes.size(); ++k) {
     const Probe& probe = output.probes[k];

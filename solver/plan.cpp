@@ -41,7 +41,8 @@ Plan plan(const Scene& scene) {
       std::isfinite(step) ? static_cast<std::int64_t>(std::ceil(scene.time.end / step)) : plan.frames;
   const std::int64_t word = scene.numerics.precision == Precision::float32 ? 4 : 8;
   const auto cells = static_cast<std::int64_t>(scene.grid.cell_count());
-  const std::int64_t once = (scene.output.maxima ? 3 : 0) + (initial.bed.empty() ? 0 : 1);
+  const std::int64_t once =
+      (scene.output.maxima ? 3 + scene.output.maxima->pressure : 0) + (initial.bed.empty() ? 0 : 1);
   constexpr std::int64_t numbers_a_frame = 9 * 8;  // FrameStatistics
   plan.output_bytes =
       cells * word * (plan.frames * static_cast<std::int64_t>(output_field_names(scene).size()) + once) +

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/runout_report.hpp"
+
 namespace sandsim {
 
 /// Process exit codes.
@@ -129,8 +131,9 @@ struct RunReport {
   std::optional<Incident> smallest_step;
   std::optional<Incident> failure;
   bool at_rest = false;
-  double stop_time = 0.0;            // [s] first moment from which nothing moved; 0 if it never stopped
-  double max_slope_violation = 0.0;  // [-] at the end: largest |ds|/(mu dx) - 1 over wet faces, 0 if none
+  double stop_time = 0.0;              // [s] first moment from which nothing moved; 0 if it never stopped
+  double max_slope_violation = 0.0;    // [-] at the end: largest |ds|/(mu dx) - 1 over wet faces, 0 if none
+  std::optional<RunoutReport> runout;  // none if the run failed
   std::vector<ErrorReport> errors;
 };
 

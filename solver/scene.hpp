@@ -147,6 +147,7 @@ struct SandSource {
 struct Sand {
   std::optional<ScalarMap> friction_angle;        // [rad]; exactly one of the two is set
   std::optional<ScalarMap> friction_coefficient;  // [-]
+  std::optional<double> density;                  // [kg/m^3] for maps of pressure; the motion does not depend on it
   Hbar hbar;
   std::vector<SandPart> initial;
   std::vector<SandSource> sources;
@@ -184,11 +185,16 @@ struct Probe {
   std::array<double, 2> at{0.0, 0.0};  // [m] the cell that holds the point
 };
 
+/// Maps of the largest values over the run: max_depth, max_speed, arrival_time.
+struct MaximaOutput {
+  std::optional<double> above;  // [m] speed and arrival count in deeper sand only; absent: see runout.hpp
+  bool pressure = false;        // also max_pressure; needs sand.density
+};
+
 struct Output {
   std::vector<OutputField> fields{OutputField::depth, OutputField::velocity};
-  bool frames = true;          // false: no series of fields, only the per-frame numbers and probes
-  bool maxima = false;         // max_depth, max_speed, arrival_time
-  double arrival_depth = 0.0;  // [m] sand counts as arrived above this depth; 0: 1e-3 spacing
+  bool frames = true;  // false: no series of fields, only the per-frame numbers and probes
+  std::optional<MaximaOutput> maxima;
   std::vector<Probe> probes;
   Compression compression = Compression::none;
   double checkpoint_interval = 600.0;  // [s] of wall clock between checkpoints

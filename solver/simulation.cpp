@@ -33,6 +33,17 @@ double drift_tolerance(Precision precision) {
 /// Between two looks at interrupts and limits the steps should take about this long. [s]
 constexpr double look_interval = 0.01;
 
+double largest(const FieldValues& values) {
+  return std::visit([](const auto& v) { return static_cast<double>(*std::max_element(v.begin(), v.end())); }, values);
+}
+
+BackendConfig config_of(const Scene& scene, const InitialState& initial, int threads) {
+  BackendConfig config = backend_config(scene, threads);
+  config.above = thin_depth(scene, initial);
+  config.drained = scene.output.maxima && !scene.output.maxima->above ? drained_share : 0.0;
+  return config;
+}
+
 /// One run, from its start or a checkpoint to its end.
 class Run {
  public:
@@ -67,6 +78,7 @@ class Run {
   BackendConfig backend_config_;
   std::unique_ptr<Backend> backend_;
   Snapshots snapshots_;
+  RunoutMeter runout_;
   RunReport report_;
   LoopStages stages_;                 // in report_
   StageReport* frames_ = nullptr;     // likewise
@@ -85,9 +97,10 @@ Run::Run(const Scene& scene, const RunOptions& options, Sink& sink)
       sink_(sink),
       initial_(build_initial_state(scene)),
       schedule_(scene.time),
-      backend_config_(backend_config(scene, options.threads)),
+      backend_config_(config_of(scene, initial_, options.threads)),
       backend_(make_backend(backend_config_, initial_, options.device)),
       snapshots_(scene, initial_, backend_config_.objects),
+      runout_(scene, initial_),
       rules_(step_rules(scene, backend_config_, backend_->stable_step())) {
   const Numerics& numerics = scene.numerics;
   report_.device = backend_->device();
@@ -124,6 +137,7 @@ void Run::resume(const Checkpoint& from) {
   if (scene_.output.maxima) {
     backend_->set_maxima({from.max_depth, from.max_speed, from.arrival_time});
   }
+  runout_.set_record(from.runout);
   if (scene_.particles) {
     backend_->set_particles(from.particles);
   }
@@ -175,6 +189,7 @@ Checkpoint Run::checkpoint() const {
     to.max_depth = std::move(maxima.max_depth), to.max_speed = std::move(maxima.max_speed);
     to.arrival_time = std::move(maxima.arrival_time);
   }
+  to.runout = runout_.record();
   return to;
 }
 
@@ -331,6 +346,9 @@ void Run::deliver_frame() {
     incident.cause = "volume drift";
     fail(incident, "the volume has drifted by " + std::to_string(report_.ledger.error()) + " of what was brought in");
   }
+  if (!scene_.output.maxima) {
+    runout_.take(*snapshots_.depth(capture), sums.max_depth, sums.max_speed_above);
+  }
   sink_.frame(snapshots_.frame(std::move(capture), report_.frames - 1, numbers));
 }
 
@@ -413,8 +431,14 @@ void Run::finish() {
     if (scene_.reference) {
       report_.errors = compare(scene_, initial_, loop_.time, as_double(backend_->field("depth")));
     }
+    FinalFields maxima;
+    if (scene_.output.maxima) {
+      maxima = backend_->maxima();
+      runout_.take(maxima.max_depth, largest(maxima.max_depth), largest(maxima.max_speed));
+    }
+    report_.runout = runout_.report(backend_->field("depth"), report_.ledger);
     if (report_.exit_code == ExitCode::done) {
-      sink_.end(scene_.output.maxima ? backend_->maxima() : FinalFields{});
+      sink_.end(maxima);
     }
   }
   report_.wall_time = wall();

@@ -12,6 +12,7 @@
 #include "solver/device.hpp"
 #include "solver/particles.hpp"
 #include "solver/report.hpp"
+#include "solver/runout.hpp"
 #include "solver/scene.hpp"
 #include "solver/sink.hpp"
 
@@ -32,6 +33,7 @@ struct Checkpoint {
   StateArrays state;
   ParticleArrays particles;                        // empty without scene.particles
   FieldValues max_depth, max_speed, arrival_time;  // empty unless output.maxima
+  RunoutRecord runout;                             // empty with output.maxima
 };
 
 /// What a progress display may want to know; called from the solver's thread between steps.

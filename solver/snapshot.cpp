@@ -1,5 +1,6 @@
 #include "solver/snapshot.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -29,7 +30,7 @@ Snapshots::Snapshots(const Scene& scene, const InitialState& initial, const Shar
       initial_(initial),
       objects_(objects),
       fields_(output_field_names(scene)),
-      needs_depth_(scene.reference && !scene.reference->front_depths.empty()),
+      needs_depth_(!scene.output.maxima || (scene.reference && !scene.reference->front_depths.empty())),
       probes_(probe_cells(scene)) {}
 
 double Snapshots::field_bytes() const {
@@ -39,10 +40,15 @@ double Snapshots::field_bytes() const {
 
 CaptureRequest Snapshots::request() const {
   CaptureRequest request{fields_, probes_};
-  if (needs_depth_) {
+  if (needs_depth_ && std::find(fields_.begin(), fields_.end(), "depth") == fields_.end()) {
     request.fields.push_back("depth");
   }
   return request;
+}
+
+const FieldValues* Snapshots::depth(const Capture& capture) const {
+  const auto at = static_cast<std::size_t>(std::find(fields_.begin(), fields_.end(), "depth") - fields_.begin());
+  return at < capture.fields.size() ? &capture.fields[at] : nullptr;
 }
 
 Frame Snapshots::frame(Capture capture, std::int64_t index, const FrameStatistics& statistics) const {
@@ -55,8 +61,8 @@ Frame Snapshots::frame(Capture capture, std::int64_t index, const FrameStatistic
     frame.objects.push_back(pose_of(*object, statistics.time));
   }
   frame.reference_tip = std::numeric_limits<double>::quiet_NaN();
-  if (needs_depth_) {
-    const std::vector<double> depth = as_double(capture.fields.back());
+  if (scene_.reference && !scene_.reference->front_depths.empty()) {
+    const std::vector<double> depth = as_double(*this->depth(capture));
     for (const double threshold : scene_.reference->front_depths) {
       frame.fronts.push_back(front(scene_.grid, depth, threshold));
     }

@@ -25,6 +25,8 @@ class Snapshots {
   CaptureRequest request() const;
   /// A frame with its fields, particles, objects, probes, fronts and references; `statistics` as they are.
   Frame frame(Capture capture, std::int64_t index, const FrameStatistics& statistics) const;
+  /// The depth of a capture by request(); null if it has none.
+  const FieldValues* depth(const Capture& capture) const;
   /// Bytes of the fields of one frame.
   double field_bytes() const;
 
@@ -33,7 +35,7 @@ class Snapshots {
   const InitialState& initial_;
   const SharedObjects& objects_;
   std::vector<std::string> fields_;
-  bool needs_depth_ = false;  // for the fronts, besides the fields
+  bool needs_depth_ = false;  // for fronts and the runout, besides the fields if it is not among them
   std::vector<std::int64_t> probes_;
 };
 

@@ -64,8 +64,9 @@ void add_metric(Table& table, const std::vector<CaseState>& states, const std::s
   }
 }
 
-Metric of_deposit(double Deposit::*member) {
-  return [member](const CaseReport& report) { return report.deposit ? (*report.deposit).*member : none; };
+template <class Value>
+Metric of_runout(Value value) {
+  return [value](const CaseReport& report) { return report.run.runout ? value(*report.run.runout) : none; };
 }
 
 Metric of_error(std::optional<double> ErrorReport::*norm) {
@@ -110,16 +111,33 @@ std::string norm_units(const std::vector<CaseState>& states, const char* line, c
   return has_line && has_plane ? "" : has_line ? line : plane;
 }
 
+/// What run.json has under `runout`. A front exists where some sand is left.
+template <class Add>
+void add_runout(const Add& add) {
+  using Report = const RunoutReport&;
+  add("front", "m", "largest x of the deposit", of_runout([](Report r) { return r.deposit_front; }));
+  add("deposit_height", "m", "largest depth at the end", of_runout([](Report r) { return r.deposit_height; }));
+  add("runout", "m", "distance of the farthest new ground under the deposit from the top of the release",
+      of_runout([](Report r) { return r.front.distance; }));
+  add("drop", "m", "its elevation below the top of the release", of_runout([](Report r) { return r.front.drop; }));
+  add("travel_angle", "rad", "atan(drop/runout)", of_runout([](Report r) { return r.front.travel_angle(); }));
+  add("center_distance", "m", "horizontal way of the centre of mass",
+      of_runout([](Report r) { return r.center_of_mass.distance; }));
+  add("center_drop", "m", "drop of the centre of mass", of_runout([](Report r) { return r.center_of_mass.drop; }));
+  add("center_travel_angle", "rad", "atan(center_drop/center_distance)",
+      of_runout([](Report r) { return r.center_of_mass.travel_angle(); }));
+  add("area", "m^2", "area of the cells that sand has reached", of_runout([](Report r) { return r.area; }));
+  add("max_depth", "m", "largest depth of the run", of_runout([](Report r) { return r.max_depth; }));
+  add("max_speed", "m/s", "largest speed of the run", of_runout([](Report r) { return r.max_speed; }));
+}
+
 void add_metrics(Table& table, const std::vector<CaseState>& states) {
   const auto add = [&](const char* name, const std::string& units, const std::string& long_name, const Metric& metric) {
     add_metric(table, states, name, units, long_name, metric);
   };
-  const std::string outline =
-      fmt::format("deeper than {:g} % of the largest depth at the start and the end", 100 * deposit_threshold);
-  add("front", "m", "largest x of the deposit, " + outline, of_deposit(&Deposit::front));
-  add("deposit_height", "m", "largest depth at the end", of_deposit(&Deposit::height));
-  add("runout", "m", "largest distance of the deposit from where the sand was released, " + outline,
-      of_deposit(&Deposit::runout));
+  add_runout(add);
+  add("volume_out", "m^3", "volume that left through open sides",
+      [](const CaseReport& report) { return report.run.ledger.out; });
   add("stop_time", "s", "first moment from which nothing moved; none if the run ended before",
       [](const CaseReport& report) { return report.run.at_rest ? report.run.stop_time : none; });
   add("error_l1", norm_units(states, "m^2", "m^3"), "L1 error against the first reference that has one",

@@ -11,7 +11,7 @@
 namespace sandsim::cli {
 
 /// One row a case: number, status, the varied keys as numbers in their units (as texts where they are none), exit code,
-/// front, deposit height and runout, stop time, errors, volume error, steps and wall time. What a case does not have
+/// runout, travel angles, area, volume out, stop time, errors, volume error, steps and wall time. What a case does not have
 /// is NaN, and a column that no case has is left out.
 Table sweep_table(const Sweep& sweep, const std::vector<CaseState>& states, const std::string& command_line);
 

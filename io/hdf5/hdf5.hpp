@@ -85,6 +85,10 @@ inline hid_t native_type<double>() {
   return H5T_NATIVE_DOUBLE;
 }
 template <>
+inline hid_t native_type<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
+template <>
 inline hid_t native_type<std::int64_t>() {
   return H5T_NATIVE_INT64;
 }

@@ -22,7 +22,7 @@ using hdf5::Handle;
 using hdf5::require;
 
 /// Format of the file; raised whenever its content changes its meaning.
-constexpr std::int64_t format_version = 3;
+constexpr std::int64_t format_version = 4;
 
 /// The numbers of a checkpoint under their names; one list serves writing and reading.
 template <class AnyCheckpoint, class Visitor>
@@ -45,6 +45,8 @@ void visit_numbers(AnyCheckpoint& checkpoint, Visitor&& visit) {
   visit("smallest_step_time", checkpoint.smallest_step.time);
   visit("smallest_step_step", checkpoint.smallest_step.step);
   visit("stop_time", checkpoint.stop_time);
+  visit("runout_max_depth", checkpoint.runout.max_depth);
+  visit("runout_max_speed", checkpoint.runout.max_speed);
   visit("particle_count", checkpoint.particles.report.count);
   visit("particle_moves", checkpoint.particles.report.moves);
   visit("particle_born", checkpoint.particles.report.born);
@@ -52,9 +54,10 @@ void visit_numbers(AnyCheckpoint& checkpoint, Visitor&& visit) {
   visit("particle_left", checkpoint.particles.report.left);
 }
 
-/// The particles' arrays, each of one type; empty without particles.
+/// The other arrays, each of one type: where sand has been, empty with output.maxima; the particles', empty without.
 template <class AnyCheckpoint, class Visitor>
-void visit_particles(AnyCheckpoint& checkpoint, Visitor&& visit) {
+void visit_arrays(AnyCheckpoint& checkpoint, Visitor&& visit) {
+  visit("reached", checkpoint.runout.reached);
   visit("particle_offset_x", checkpoint.particles.offset_x);
   visit("particle_offset_y", checkpoint.particles.offset_y);
   visit("particle_id", checkpoint.particles.id);
@@ -96,7 +99,7 @@ std::size_t bytes_of(const Checkpoint& checkpoint) {
   visit_fields(checkpoint, [&bytes](const char*, const FieldValues& field) {
     bytes += std::visit([](const auto& values) { return values.size() * sizeof values[0]; }, field);
   });
-  visit_particles(checkpoint, [&bytes](const char*, const auto& values) { bytes += values.size() * sizeof values[0]; });
+  visit_arrays(checkpoint, [&bytes](const char*, const auto& values) { bytes += values.size() * sizeof values[0]; });
   return bytes;
 }
 
@@ -115,7 +118,7 @@ void write_content(hid_t file, const Checkpoint& checkpoint, const std::string& 
   visit_fields(checkpoint, [file](const char* name, const FieldValues& field) {
     std::visit([&](const auto& values) { write_field(file, name, values); }, field);
   });
-  visit_particles(checkpoint, [file](const char* name, const auto& values) { write_field(file, name, values); });
+  visit_arrays(checkpoint, [file](const char* name, const auto& values) { write_field(file, name, values); });
 }
 
 /// The maxima are there only if the scene asks for them, the bed and what is buried only with objects that cover sand.
@@ -143,7 +146,7 @@ Checkpoint read_content(hid_t file) {
     }
   });
   visit_fields(checkpoint, [file](const char* name, FieldValues& field) { read_field(file, name, field); });
-  visit_particles(checkpoint, [file](const char* name, auto& values) {
+  visit_arrays(checkpoint, [file](const char* name, auto& values) {
     using Number = typename std::remove_cvref_t<decltype(values)>::value_type;
     if (hdf5::exists(file, name)) values = hdf5::read_all<Number>(file, name);
   });

@@ -79,6 +79,23 @@ ErrorReport read_error(const YAML::Node& node) {
   return error;
 }
 
+Descent read_descent(const YAML::Node& node) {
+  return {number(node["distance"]), number(node["drop"])};
+}
+
+RunoutReport read_runout(const YAML::Node& node) {
+  RunoutReport runout;
+  runout.above = number(node["above"]);
+  runout.front = read_descent(node);
+  runout.center_of_mass = read_descent(node["center_of_mass"]);
+  runout.area = number(node["area"]);
+  runout.max_depth = number(node["max_depth"]);
+  runout.max_speed = number(node["max_speed"]);
+  runout.deposit_front = number(node["deposit_front"]);
+  runout.deposit_height = number(node["deposit_height"]);
+  return runout;
+}
+
 }  // namespace
 
 StoredRun read_run_report(const std::filesystem::path& path) {
@@ -89,6 +106,7 @@ StoredRun read_run_report(const std::filesystem::path& path) {
     read_run(run, stored.report);
     read_cost(run, stored.report);
     read_outcome(run, stored.report);
+    if (const YAML::Node runout = run["runout"]) stored.report.runout = read_runout(runout);
     for (const YAML::Node& error : run["errors"]) stored.report.errors.push_back(read_error(error));
     stored.scene_hash = run["scene_hash"].as<std::string>();
     stored.started = text(run["started"]);

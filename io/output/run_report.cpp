@@ -130,6 +130,24 @@ void add_error(JsonWriter& json, const ErrorReport& error) {
   json.end_object();
 }
 
+void add_descent(JsonWriter& json, const Descent& descent) {
+  json.member("distance", descent.distance).member("drop", descent.drop);
+  json.member("travel_angle", descent.travel_angle());
+}
+
+/// Left out if the run failed.
+void add_runout(JsonWriter& json, const std::optional<RunoutReport>& runout) {
+  if (!runout) return;
+  json.begin_object("runout").member("above", runout->above);
+  add_descent(json, runout->front);
+  json.begin_object("center_of_mass");
+  add_descent(json, runout->center_of_mass);
+  json.end_object();
+  json.member("area", runout->area).member("max_depth", runout->max_depth).member("max_speed", runout->max_speed);
+  json.member("deposit_front", runout->deposit_front).member("deposit_height", runout->deposit_height);
+  json.end_object();
+}
+
 }  // namespace
 
 std::string run_report_json(const RunReport& report, const RunContext& context) {
@@ -148,6 +166,7 @@ std::string run_report_json(const RunReport& report, const RunContext& context) 
   json.member("at_rest", report.at_rest);
   json.member("stop_time", report.stop_time);
   json.member("max_slope_violation", report.max_slope_violation);
+  add_runout(json, report.runout);
   if (!report.errors.empty()) {
     json.name("error");
     add_error(json, report.errors.front());

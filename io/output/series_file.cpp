@@ -28,6 +28,16 @@ hid_t memory_type(const FieldValues& values) {
   return std::holds_alternative<std::vector<float>>(values) ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
 }
 
+/// density times speed squared. [Pa]
+FieldValues pressure_of(FieldValues speed, double density) {
+  std::visit(
+      [density]<class R>(std::vector<R>& values) {
+        for (R& value : values) value = static_cast<R>(density) * value * value;
+      },
+      speed);
+  return speed;
+}
+
 int descriptor_of(hid_t file) {
   void* descriptor = nullptr;
   require(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor), "get the file's descriptor");
@@ -39,6 +49,7 @@ int descriptor_of(hid_t file) {
 SeriesFile::SeriesFile(const std::filesystem::path& path, const Scene& scene, hdf5::Handle file)
     : path_(path),
       output_(scene.output),
+      density_(scene.sand.density.value_or(0.0)),
       exact_reference_(scene.reference && scene.reference->exact),
       front_count_(scene.reference ? scene.reference->front_depths.size() : 0),
       object_count_(coupled_object_count(scene)),
@@ -222,10 +233,11 @@ void SeriesFile::append(Frame frame) {
 
 void SeriesFile::write_maxima(const FinalFields& fields) {
   if (!output_.maxima) return;
-  space_->claim(static_cast<std::int64_t>(3 * (grid_[0] * grid_[1] * 8 + 65536)));
+  space_->claim(static_cast<std::int64_t>(4 * (grid_[0] * grid_[1] * 8 + 65536)));
   write_map("max_depth", fields.max_depth);
   write_map("max_speed_over_time", fields.max_speed);
   write_map("arrival_time", fields.arrival_time);
+  if (output_.maxima->pressure) write_map("max_pressure", pressure_of(fields.max_speed, density_));
 }
 
 void SeriesFile::close() {

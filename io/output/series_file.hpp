@@ -60,6 +60,7 @@ class SeriesFile {
 
   std::filesystem::path path_;
   Output output_;
+  double density_ = 0.0;  // [kg/m^3] for the map of pressure
   bool exact_reference_ = false;
   std::size_t front_count_ = 0;
   std::size_t object_count_ = 0;

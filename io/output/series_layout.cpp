@@ -122,8 +122,13 @@ std::vector<Variable> series_layout(const Scene& scene) {
   }
   if (scene.output.maxima) {
     variables.push_back({"max_depth", {y, x}, "m", "largest depth of the run", real});
-    variables.push_back({"max_speed_over_time", {y, x}, "m/s", "largest speed of the run", real});
-    variables.push_back({"arrival_time", {y, x}, "s", "time at which sand arrived; NaN: never", real});
+    const std::string above = "; in sand deeper than runout.above of run.json";
+    variables.push_back({"max_speed_over_time", {y, x}, "m/s", "largest speed of the run" + above, real});
+    variables.push_back({"arrival_time", {y, x}, "s", "time at which sand arrived, NaN: never" + above, real});
+    if (scene.output.maxima->pressure) {
+      variables.push_back(
+          {"max_pressure", {y, x}, "Pa", "largest dynamic pressure of the run, density times speed^2" + above, real});
+    }
   }
   add_frame_numbers(variables);
   if (!scene.output.probes.empty()) add_probes(variables);

@@ -79,7 +79,7 @@ class PageWriter {
       const std::string text = value_text(value, rule);
       return text == "\"\"" ? "" : '`' + text + '`';
     } else {
-      return "";
+      return rule.is_switch ? "`false`" : "";
     }
   }
 
@@ -113,7 +113,7 @@ class PageWriter {
   template <class T>
   std::string type(const std::string& key, std::optional<T>&, const Rule& rule) {
     T value{};
-    return type(key, value, rule);
+    return (rule.is_switch ? "`true`, `false` or a " : "") + type(key, value, rule);
   }
   template <class T, std::size_t N>
   std::string type(const std::string& key, std::array<T, N>& values, const Rule& rule) {

@@ -187,6 +187,7 @@ class SchemaWriter {
         members.emplace_back("default", std::move(text));
       }
     }
+    if (rule.is_switch) members.emplace_back("default", "false");
     if (rule.is_required && rule.only_with.empty() && rule.instead.empty()) required_.emplace_back(key);
     properties_.emplace_back(key, object(members));
   }
@@ -219,7 +220,8 @@ class SchemaWriter {
   template <class T>
   Members schema(std::optional<T>&, const Rule& rule) {
     T value{};
-    return schema(value, rule);
+    if (!rule.is_switch) return schema(value, rule);
+    return {{"anyOf", array({object(with_type("boolean")), object(schema(value, rule))})}};
   }
 
   template <class T, std::size_t N>

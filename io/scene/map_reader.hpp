@@ -18,6 +18,13 @@
 
 namespace sandsim {
 
+/// A key that is no more, and what to write in its place.
+struct ReplacedKey {
+  const char* path;
+  const char* instead;
+};
+inline constexpr std::array replaced_keys{ReplacedKey{"output.arrival_depth", "output.maxima: {above: 10 cm}"}};
+
 /// Visitor of a table of parameters that fills a struct from a map. Types that are neither known to Reading nor
 /// described by a table bring a function parse_member(reading, node, path, target).
 class MapReader {
@@ -66,15 +73,22 @@ class MapReader {
   void finish() const {
     for (const Node& child : map_.children) {
       if (std::find(keys_.begin(), keys_.end(), child.key) != keys_.end()) continue;
-      const std::string near = nearest(child.key, keys_);
-      reading_.complain_key(
-          child.position, path_of(child.key),
-          {"unknown key", "",
-           (near.empty() ? "" : "Did you mean '" + near + "'? ") + "Valid keys: " + listed(keys_) + '.'});
+      reading_.complain_key(child.position, path_of(child.key), unknown_key(child.key));
     }
   }
 
  private:
+  Complaint unknown_key(const std::string& key) const {
+    for (const ReplacedKey& replaced : replaced_keys) {
+      if (path_of(key) == replaced.path) {
+        return {"no key any more", "", std::string("Write ") + replaced.instead + " instead."};
+      }
+    }
+    const std::string near = nearest(key, keys_);
+    return {"unknown key", "",
+            (near.empty() ? "" : "Did you mean '" + near + "'? ") + "Valid keys: " + listed(keys_) + '.'};
+  }
+
   std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + '.' + key; }
 
   void report_missing(const std::string& key, const Rule& rule, const char* meaning) {
@@ -104,8 +118,13 @@ class MapReader {
   template <class T>
   void read(const Node& node, const std::string& path, std::optional<T>& target, const Rule& rule) {
     T value{};
-    read(node, path, value, rule);
-    target = std::move(value);
+    const bool is_word = rule.is_switch && node.kind == Node::Kind::scalar;
+    if (!is_word) {
+      read(node, path, value, rule);
+    } else if (node.quoted || (node.text != "true" && node.text != "false")) {
+      reading_.complain(node, path, {"true, false or a map is needed", "", "Write it like " + rule.example() + "."});
+    }
+    target = is_word && node.text != "true" ? std::nullopt : std::optional(std::move(value));
   }
 
   template <class T, std::size_t N>

@@ -45,7 +45,11 @@ class MapWriter {
 
   template <class T>
   void write(const std::string& key, std::optional<T>& value, const Rule& rule) {
-    if (value) write(key, *value, rule);
+    if (value) {
+      write(key, *value, rule);
+    } else if (rule.is_switch) {
+      add_line(key + ": false");
+    }
   }
 
   template <class T>

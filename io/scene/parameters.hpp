@@ -166,6 +166,8 @@ void describe(V& v, Sand& s) {
   v.field("friction_coefficient", s.friction_coefficient, number().at_least(0),
           "Tangent of the angle of friction; a number, {raster: FILE} or zones {polygons: FILE, attribute: NAME, "
           "elsewhere: 0.5}.");
+  v.field("density", s.density, density().above(0),
+          "Mass of sand per volume, for maps of pressure; the motion of dry sand does not depend on it.");
   v.field("hbar", s.hbar, section(), "Depth of the dilute layer, which is the part that moves.");
   v.field("initial", s.initial, list().single_allowed(), "Sand at the start; the parts of a list are added up.");
   v.field("sources", s.sources, list(), "Sand that rains onto discs, without momentum.");
@@ -237,12 +239,22 @@ void describe(V& v, Probe& p) {
 }
 
 template <class V>
+void describe(V& v, MaximaOutput& m) {
+  v.field(
+      "above", m.above, length().at_least(0),
+      "Speed and arrival count in sand deeper than this, and so do the numbers of the runout. Without it, 1 % of the "
+      "largest depth at the start, or 1 % of the spacing where all sand comes from sources; and speed then counts "
+      "only until a cell has drained to 37 % of its largest depth so far: what is left is faster than its fall.");
+  v.field("pressure", m.pressure, choice(),
+          "Also max_pressure, the largest dynamic pressure: density times the square of the speed.");
+}
+
+template <class V>
 void describe(V& v, Output& o) {
   v.field("fields", o.fields, list().not_empty(), "Fields of every frame.");
   v.field("frames", o.frames, choice(), "false: no fields, only the numbers and probes of every frame.");
-  v.field("maxima", o.maxima, choice(), "Record max_depth, max_speed and arrival_time.");
-  v.field("arrival_depth", o.arrival_depth, length().at_least(0).only(o.maxima, "maxima: true"),
-          "Sand has arrived where it is deeper than this; 0 m: 1e-3 of the spacing.");
+  v.field("maxima", o.maxima, section().or_switch().like("{above: 5 cm}"),
+          "Maps of the largest depth and speed over the run and of the time of arrival.");
   v.field("probes", o.probes, list(), "Points where depth and velocity are recorded at every frame.");
   v.field("compression", o.compression, choice(), "Of the fields in series.h5.");
   v.field("checkpoint_interval", o.checkpoint_interval, time_span().above(0), "Wall-clock time between checkpoints.");

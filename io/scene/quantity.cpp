@@ -18,6 +18,7 @@ constexpr std::array<Unit, 3> angular_velocities{
     {{"rad/s", 1, 1}, {"deg/s", std::numbers::pi, 180}, {"rpm", std::numbers::pi, 30}}};
 constexpr std::array<Unit, 2> accelerations{{{"m/s^2", 1, 1}, {"cm/s^2", 1, 100}}};
 constexpr std::array<Unit, 3> volume_rates{{{"m^3/s", 1, 1}, {"l/s", 1, 1000}, {"cm^3/s", 1, 1'000'000}}};
+constexpr std::array<Unit, 3> densities{{{"kg/m^3", 1, 1}, {"g/cm^3", 1000, 1}, {"t/m^3", 1000, 1}}};
 
 bool digit(char c) {
   return c >= '0' && c <= '9';
@@ -133,6 +134,8 @@ std::span<const Unit> units(Dimension dimension) {
       return accelerations;
     case Dimension::volume_rate:
       return volume_rates;
+    case Dimension::density:
+      return densities;
     case Dimension::none:
       break;
   }
@@ -155,6 +158,8 @@ const char* noun(Dimension dimension) {
       return "an acceleration";
     case Dimension::volume_rate:
       return "a volume per time";
+    case Dimension::density:
+      return "a density";
     case Dimension::none:
       break;
   }
@@ -177,6 +182,8 @@ const char* example(Dimension dimension) {
       return "9.8 m/s^2";
     case Dimension::volume_rate:
       return "2 l/s";
+    case Dimension::density:
+      return "1500 kg/m^3";
     case Dimension::none:
       break;
   }

@@ -12,11 +12,11 @@
 
 namespace sandsim {
 
-enum class Dimension { none, length, angle, time, speed, angular_velocity, acceleration, volume_rate };
+enum class Dimension { none, length, angle, time, speed, angular_velocity, acceleration, volume_rate, density };
 /// All but `none`, in the order in which they are documented.
 inline constexpr std::array all_dimensions{
-    Dimension::length,           Dimension::angle,        Dimension::time,       Dimension::speed,
-    Dimension::angular_velocity, Dimension::acceleration, Dimension::volume_rate};
+    Dimension::length,           Dimension::angle,        Dimension::time,        Dimension::speed,
+    Dimension::angular_velocity, Dimension::acceleration, Dimension::volume_rate, Dimension::density};
 
 /// One unit is numerator/denominator of the SI unit. Dividing keeps "7 cm" the double nearest to 0.07.
 struct Unit {

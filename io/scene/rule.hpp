@@ -22,6 +22,7 @@ struct Rule {
   bool has_cells = true;                                    // lengths in "cells" are allowed
   bool is_single_allowed = false;                           // lists: one entry may stand for the list
   bool is_empty_allowed = true;                             // lists
+  bool is_switch = false;                                   // sections: true and false may stand for them
   bool may_be_missing = false;                              // files: missing is a warning
   bool applies = true;                                      // false: giving the key is an error
   std::string only_with;                                    // "mode: fixed": when it applies
@@ -56,6 +57,10 @@ struct Rule {
   }
   Rule not_empty() const {
     return with([](Rule& r) { r.is_empty_allowed = false; });
+  }
+  /// A section that is off without its key: `true` stands for its defaults, `false` for off.
+  Rule or_switch() const {
+    return with([](Rule& r) { r.is_switch = true; });
   }
   Rule optional_file() const {
     return with([](Rule& r) { r.may_be_missing = true; });
@@ -129,6 +134,9 @@ inline Rule acceleration() {
 }
 inline Rule volume_rate() {
   return quantity(Dimension::volume_rate);
+}
+inline Rule density() {
+  return quantity(Dimension::density);
 }
 
 }  // namespace sandsim

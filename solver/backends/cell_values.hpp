@@ -48,14 +48,15 @@ SANDSIM_HD R cell_value(CellField field, const Cover<R>& cover, int i, int j, R 
 }
 
 /// Takes a cell's state at `time` into its largest depth and speed and its time of arrival (NaN: not yet). Of its depth
-/// of sand, h flows.
+/// of sand, h flows. Arrival and speed count above a depth only, and speed as long as the cell has not drained to a
+/// share of its largest depth (see drained_share in runout.hpp).
 template <class R>
-SANDSIM_HD void take_maxima(R depth, R h, R hu, R hv, R time, R arrival_depth, R dry_depth, R& max_depth, R& max_speed,
-                            R& arrival) {
+SANDSIM_HD void take_maxima(R depth, R h, R hu, R hv, R time, R above, R drained, R dry_depth, R& max_depth,
+                            R& max_speed, R& arrival) {
   const R speed = physics::quotient_velocity(physics::length(hu, hv), h, dry_depth);
   max_depth = physics::maximum(max_depth, depth);
-  max_speed = physics::maximum(max_speed, speed);
-  arrival = arrival != arrival && depth > arrival_depth ? time : arrival;
+  max_speed = physics::maximum(max_speed, physics::select(h > above && depth > drained * max_depth, speed, R(0)));
+  arrival = arrival != arrival && depth > above ? time : arrival;
 }
 
 }  // namespace sandsim

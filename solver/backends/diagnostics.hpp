@@ -83,19 +83,21 @@ ProbeSample probe(const Diagnosed<R>& d, int i, int j) {
 
 inline GridStatistics grid_statistics(const CellSums& sums, double spacing) {
   const double area = spacing * spacing;
-  return {sums.depth * area, sums.energy * area, sums.max_speed, sums.moving_cells};
+  return {sums.depth * area, sums.energy * area, sums.max_speed,
+          sums.moving_cells, sums.max_depth,     sums.max_speed_above};
 }
 
-/// Rows are summed side by side, and then the rows.
+/// Rows are summed side by side, and then the rows. Speeds of sand deeper than `above` [m] count for max_speed_above.
 template <class R>
-GridStatistics grid_statistics(const Diagnosed<R>& d, int threads) {
+GridStatistics grid_statistics(const Diagnosed<R>& d, double above, int threads) {
+  const R threshold = static_cast<R>(above);
   std::vector<CellSums> rows(static_cast<std::size_t>(d.ny));
 #pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
   for (int j = 0; j < d.ny; ++j) {
     const R *h = d.h.row(j), *hu = d.hu.row(j), *hv = d.hv.row(j);
     rows[static_cast<std::size_t>(j)] =
         sum_in_lanes<CellSums>(static_cast<std::size_t>(d.nx), [&](CellSums& lane, std::size_t i) {
-          lane.add_cell(h[i], hu[i], hv[i], d.cover.buried_at(static_cast<int>(i), j));
+          lane.add_cell(h[i], hu[i], hv[i], d.cover.buried_at(static_cast<int>(i), j), threshold);
         });
   }
   return grid_statistics(sum_in_lanes<CellSums>(rows.size(), [&](CellSums& lane, std::size_t j) { lane += rows[j]; }),
@@ -153,8 +155,9 @@ template <class R>
 class Maxima {
  public:
   Maxima() = default;
-  Maxima(std::size_t cells, R arrival_depth)
-      : arrival_depth_(arrival_depth),
+  Maxima(std::size_t cells, R above, R drained)
+      : above_(above),
+        drained_(drained),
         depth_(cells, R(0)),
         speed_(cells, R(0)),
         arrival_(cells, std::numeric_limits<R>::quiet_NaN()) {}
@@ -167,7 +170,7 @@ class Maxima {
       R *depth = depth_.data() + first, *speed = speed_.data() + first, *arrival = arrival_.data() + first;
       const R *h = d.h.row(j), *hu = d.hu.row(j), *hv = d.hv.row(j);
       for (int i = 0; i < d.nx; ++i) {
-        take_maxima(d.cover.depth(i, j, h[i]), h[i], hu[i], hv[i], now, arrival_depth_, d.parameters.dry_depth,
+        take_maxima(d.cover.depth(i, j, h[i]), h[i], hu[i], hv[i], now, above_, drained_, d.parameters.dry_depth,
                     depth[i], speed[i], arrival[i]);
       }
     }
@@ -185,7 +188,8 @@ class Maxima {
   }
 
  private:
-  R arrival_depth_ = 0;
+  R above_ = 0;    // [m]
+  R drained_ = 0;  // [-]
   std::vector<R> depth_, speed_, arrival_;
 };
 

@@ -122,7 +122,7 @@ TEST_CASE("a case whose directory another process has locked waits for it") {
   CHECK(order == std::vector<std::size_t>{1, 0});
 }
 
-TEST_CASE("the report of a case holds its run and its deposit") {
+TEST_CASE("the report of a case holds its run and its runout") {
   const Cases cases;
   write_text(cases.scene, R"(grid: {cells: [16, 1], spacing: 1 cm}
 sand:
@@ -143,11 +143,11 @@ reference: {front_depths: [0.5 mm]}
   CHECK(report->run.errors[0].fronts[0].depth == 5e-4);
   CHECK(report->scene_hash.starts_with("fnv1a64:"));
   // A step of 1 mm on cells of 1 cm is less steep than 45 deg: the box stays as it is, up to float32.
-  REQUIRE(report->deposit);
-  CHECK_THAT(report->deposit->height, WithinAbs(1e-3, 1e-9));
+  REQUIRE(report->run.runout);
+  CHECK_THAT(report->run.runout->deposit_height, WithinAbs(1e-3, 1e-9));
   // From the last centre at 7.5 cm to the next one the depth falls to a hundredth: 0.99 of a cell further.
-  CHECK_THAT(report->deposit->front, WithinAbs(0.0849, 1e-9));
-  CHECK_THAT(report->deposit->runout, WithinAbs(0.0249, 1e-8));
+  CHECK_THAT(report->run.runout->deposit_front, WithinAbs(0.0849, 1e-9));
+  CHECK(report->run.runout->front.distance == 0.0);
   CHECK_FALSE(read_case_report(cases.folder / "nothing"));
   write_text(cases.folder / "broken" / "run.json", "{\"status\": ");
   CHECK_FALSE(read_case_report(cases.folder / "broken"));

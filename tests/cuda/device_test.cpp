@@ -39,7 +39,7 @@ TEST_CASE("Runs side by side on the device go as each on the CPU") {
 TEST_CASE("A run on the device hands out the frames of a run on the CPU") {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     Scene scene = collapse(300, 70, precision);
-    scene.output.maxima = true;
+    scene.output.maxima.emplace();
     scene.sand.sources = {{{3.0, 0.5}, 0.2, 0.002, 0.05, 0.6}};
     MemorySink on_cpu, on_device;
     RunOptions cpu, cuda;

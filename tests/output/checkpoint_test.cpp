@@ -32,6 +32,7 @@ Checkpoint some_checkpoint() {
   checkpoint.state.momentum_x = std::vector<float>(4, 0.25f);
   checkpoint.state.momentum_y = std::vector<float>(4, -0.25f);
   checkpoint.particles = {{0.5f, 0.25f}, {0.0f, 0.75f}, {std::int64_t{7} << 32, 1}, {1.0f}, {-1.0f}, {2, 9, 8, 6, 2}};
+  checkpoint.runout = {{1, 0, 1, 1}, 0.25, 1.5};
   return checkpoint;
 }
 
@@ -69,6 +70,9 @@ TEST_CASE("A checkpoint comes back bit for bit") {
   CHECK(same_bits(read.state.momentum_y, std::get<std::vector<float>>(written.state.momentum_y)));
   CHECK_FALSE(read.state.has_covers());
   CHECK(same_bits(read.max_depth, std::vector<float>{}));
+  CHECK(read.runout.reached == written.runout.reached);
+  CHECK(read.runout.max_depth == 0.25);
+  CHECK(read.runout.max_speed == 1.5);
   CHECK(read.particles.offset_x == written.particles.offset_x);
   CHECK(read.particles.offset_y == written.particles.offset_y);
   CHECK(read.particles.id == written.particles.id);

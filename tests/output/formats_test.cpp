@@ -12,7 +12,7 @@ namespace {
 Scene scene_with_everything() {
   Scene scene = small_scene(6, 4);
   scene.output.fields = {OutputField::depth, OutputField::velocity, OutputField::surface, OutputField::momentum};
-  scene.output.maxima = true;
+  scene.output.maxima.emplace();
   scene.output.probes = {{"left", {0.3, 0.3}}, {"r\u00e4nd", {1.3, 0.3}}};
   KinematicObject plate, ball;
   plate.name = "plate", ball.name = "b\u00e4ll";

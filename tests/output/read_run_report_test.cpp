@@ -37,6 +37,7 @@ TEST_CASE("a run report reads back as it was written") {
   error.fronts = {{0.005, 1.25, std::nullopt}, {0.0, 1.5, 1.75}};
   error.height = {0.25, 0.5};
   report.errors = {error};
+  report.runout = RunoutReport{0.01, {120.0, 60.0}, {}, 800.0, 2.5, 30.0, std::nan(""), 0.75};
   RunContext context;
   context.scene_hash = "fnv1a64:0123456789abcdef";
   write_text(folder / "run.json", run_report_json(report, context));
@@ -57,6 +58,16 @@ TEST_CASE("a run report reads back as it was written") {
   CHECK(read.at_rest);
   CHECK(read.stop_time == 1.0 / 3.0);
   CHECK(std::isnan(read.max_slope_violation));
+  REQUIRE(read.runout);
+  CHECK(read.runout->above == 0.01);
+  CHECK(read.runout->front.distance == 120.0);
+  CHECK(read.runout->front.travel_angle() == std::atan(0.5));
+  CHECK(std::isnan(read.runout->center_of_mass.drop));
+  CHECK(read.runout->area == 800.0);
+  CHECK(read.runout->max_depth == 2.5);
+  CHECK(read.runout->max_speed == 30.0);
+  CHECK(std::isnan(read.runout->deposit_front));
+  CHECK(read.runout->deposit_height == 0.75);
   REQUIRE(read.errors.size() == 1);
   CHECK(read.errors[0].l1 == 1e-3);
   CHECK_FALSE(read.errors[0].l2);

@@ -88,7 +88,8 @@ TEST_CASE("A flat bed takes no space and reads as zero") {
 TEST_CASE("Bed and maxima are written as maps") {
   const TemporaryDirectory directory;
   Scene scene = small_scene(4, 3);
-  scene.output.maxima = true;
+  scene.output.maxima = MaximaOutput{0.01, true};
+  scene.sand.density = 1500.0;
   FinalFields maxima{map_of(scene, 1.0), map_of(scene, 2.0), map_of(scene, 3.0)};
   std::get<std::vector<float>>(maxima.arrival_time)[5] = std::numeric_limits<float>::quiet_NaN();
 
@@ -102,6 +103,7 @@ TEST_CASE("Bed and maxima are written as maps") {
   CHECK(read(directory / "series.h5", "max_speed_over_time")[11] == 13.0);
   CHECK(read(directory / "series.h5", "arrival_time")[11] == 14.0);
   CHECK(std::isnan(read(directory / "series.h5", "arrival_time")[5]));
+  CHECK(read(directory / "series.h5", "max_pressure")[11] == 1500.0 * 13.0 * 13.0);
   CHECK(read(directory / "series.h5", "max_speed").size() == 1);
 }
 

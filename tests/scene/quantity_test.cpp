@@ -47,6 +47,9 @@ TEST_CASE("every unit converts to SI") {
   CHECK(value("2 m^3/s", Dimension::volume_rate) == 2.0);
   CHECK(value("2 l/s", Dimension::volume_rate) == 0.002);
   CHECK(value("2 cm^3/s", Dimension::volume_rate) == 0.000002);
+  CHECK(value("1500 kg/m^3", Dimension::density) == 1500.0);
+  CHECK(value("1.5 g/cm^3", Dimension::density) == 1500.0);
+  CHECK(value("1.5 t/m^3", Dimension::density) == 1500.0);
 }
 
 TEST_CASE("a decimal length in centimetres is the double nearest to it in metres") {

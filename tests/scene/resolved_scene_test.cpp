@@ -30,7 +30,7 @@ const std::vector<std::vector<std::string>> variations = {
     {"time={mode: fixed, step: 0.3 ms, end: 7 min, frame_interval: 3 ms, minimum_step: 1e-9 s}"},
     {"time.courant=0.3", "time.stop_at_rest=true"},
     {"numerics={scheme: paper, momentum_flux: printed, rest_gate: false, velocity: quotient, precision: float64}"},
-    {"output={fields: [momentum], maxima: true, arrival_depth: 3 mm, probes: [{name: 'a b', at: [1 mm, 0 m]}]}"},
+    {"output={fields: [momentum], maxima: {above: 3 mm}, probes: [{name: 'a b', at: [1 mm, 0 m]}]}"},
     {"reference={}"},
     {"reference={exact: {type: dam_break, dam: 7 cm, depth: 3 cm}, front_depths: 1 mm, profile: data/profile.csv}"},
     {"reference={measured_profile: later.csv, measured_front: data/front.csv}"},

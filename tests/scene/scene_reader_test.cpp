@@ -20,6 +20,7 @@ terrain:
   - {type: raster, file: data/angles.asc, scale: 0.5, offset: -1 m}
 sand:
   friction_coefficient: {raster: data/angles.asc}
+  density: 1.5 g/cm^3
   hbar: {policy: truncated, scale: 0.8, cap: {raster: data/angles.asc, unit: m}}
   initial:
     - {type: box, from: [0 m, 50 cm], to: [40 cm, 1 m], depth: 20 cm, velocity: [36 km/h, -20 cm/s]}
@@ -36,8 +37,7 @@ objects: []
 output:
   fields: [surface, momentum]
   frames: false
-  maxima: true
-  arrival_depth: 2 mm
+  maxima: {above: 2 mm, pressure: true}
   probes: [{name: gate, at: [0 m, 1 m]}]
   compression: gzip
   checkpoint_interval: 1 min
@@ -73,7 +73,9 @@ TEST_CASE("every key of a scene arrives in SI units") {
   CHECK(s.numerics.velocity == VelocityForm::quotient);
   CHECK(s.output.fields == std::vector{OutputField::surface, OutputField::momentum});
   CHECK_FALSE(s.output.frames);
-  CHECK(s.output.arrival_depth == 0.002);
+  CHECK(s.output.maxima.value().above == 0.002);
+  CHECK(s.output.maxima.value().pressure);
+  CHECK(s.sand.density == 1500.0);
   REQUIRE(s.output.probes.size() == 1);
   CHECK(s.output.probes[0].name == "gate");
   CHECK(s.output.compression == Compression::gzip);

@@ -135,7 +135,7 @@ TEST_CASE("After rest the frames repeat without a step") {
 TEST_CASE("A resumed run gives the bits of an uninterrupted one") {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     Scene scene = collapse(40, 9, precision);
-    scene.output.maxima = true;
+    scene.output.maxima.emplace();
     scene.sand.sources = {{{0.8, 0.1}, 0.05, 0.002, 0.05, 0.6}};
     KinematicObject plough;  // it covers sand when the run is interrupted
     plough.name = "plough";
@@ -294,7 +294,7 @@ TEST_CASE("A run has the stages that its scene needs and no other") {
   CHECK(plain.stages[0].bytes == 6.0 * 4.0 * 20.0 * static_cast<double>(plain.stages[0].launches));
   CHECK(plain.stages[1].bytes == 4.0 * 20.0 * 11.0);
 
-  scene.output.maxima = true;
+  scene.output.maxima.emplace();
   scene.output.frames = false;
   scene.sand.sources = {{{0.3, 0.0}, 0.01, 0.001, 0.0, 0.1}};
   const RunReport rich = run(scene, {}, sink);

@@ -48,7 +48,7 @@ Setting make_setting(const Variant& variant, const Numerics& numerics, unsigned 
   s.config.tile_columns = variant.tile_columns, s.config.block_rows = variant.block_rows;
   s.config.threads = 1;
   s.config.maxima = true;
-  s.config.arrival_depth = 0.05;
+  s.config.above = 0.05, s.config.drained = 0.3;
   const std::size_t cells = s.config.grid.cell_count();
   std::vector<double> hu, hv;
   for (std::size_t k = 0; k < cells; ++k) {
@@ -150,6 +150,7 @@ void check_steps(const MakeBackend& make) {
       const GridStatistics a = cpu->statistics(), b = tiles->statistics();
       CHECK((a.volume == b.volume && a.kinetic_energy == b.kinetic_energy));
       CHECK((a.max_speed == b.max_speed && a.moving_cells == b.moving_cells));
+      CHECK((a.max_depth == b.max_depth && a.max_speed_above == b.max_speed_above));
     }
   }
 }

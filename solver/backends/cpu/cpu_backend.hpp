@@ -61,7 +61,7 @@ class CpuBackend final : public Backend {
   double rain(const SandRain& rain, double dt) override;
   ObjectEffect couple(const ObjectStep& one, const std::vector<ObjectStep>& all) override;
 
-  GridStatistics statistics() const override { return grid_statistics(diagnosed(), team_.size()); }
+  GridStatistics statistics() const override { return grid_statistics(diagnosed(), config_.above, team_.size()); }
   FieldValues field(const std::string& name) const override { return named_field(diagnosed(), name); }
   std::vector<ProbeSample> sample(const std::vector<std::int64_t>& cells) const override;
   void update_maxima(double time) override { maxima_.update(diagnosed(), time, team_.size()); }
@@ -164,7 +164,7 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
     flow_.y_min = open(2, config.boundaries.y_min, nx()), flow_.y_max = open(3, config.boundaries.y_max, nx());
   }
   if (config.maxima) {
-    maxima_ = Maxima<R>(config.grid.cell_count(), static_cast<R>(config.arrival_depth));
+    maxima_ = Maxima<R>(config.grid.cell_count(), static_cast<R>(config.above), static_cast<R>(config.drained));
   }
 
   if (config.particles) {

@@ -184,8 +184,8 @@ SANDSIM_HD void take_cell_maxima(const Tile& tile, const Control<typename Tile::
     const int i = static_cast<int>(k % f.nx), j = static_cast<int>(k / f.nx);
     const std::ptrdiff_t at = state.at(i, j);
     take_maxima(f.cover.depth(i, j, state.h[at]), state.h[at], state.hu[at], state.hv[at],
-                static_cast<R>(control.loop.time), maxima.arrival_depth, f.dry_depth, maxima.depth[k], maxima.speed[k],
-                maxima.arrival[k]);
+                static_cast<R>(control.loop.time), maxima.above, maxima.drained, f.dry_depth, maxima.depth[k],
+                maxima.speed[k], maxima.arrival[k]);
   }
 }
 

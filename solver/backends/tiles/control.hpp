@@ -37,7 +37,8 @@ struct RainView {
 template <class R>
 struct MaximaView {
   R *depth = nullptr, *speed = nullptr, *arrival = nullptr;
-  R arrival_depth = 0;  // [m]
+  R above = 0;    // [m] see BackendConfig
+  R drained = 0;  // [-] likewise
 };
 
 /// How the tiles of a block lie in the grid: strips of one width and height, one above the other.

@@ -245,6 +245,7 @@ struct RowSumsKernel {
   using R = typename Tile::Real;
   Tile tile;
   int current;
+  R above;  // [m] see BackendConfig
   CellSums* rows;
 
   template <class Block>
@@ -254,7 +255,7 @@ struct RowSumsKernel {
     const CellSums sums = block_sum<CellSums>(block, tile.fields.nx, [&](CellSums& lane, std::int64_t i) {
       const int column = static_cast<int>(i);
       const std::ptrdiff_t at = state.at(column, j);
-      lane.add_cell(state.h[at], state.hu[at], state.hv[at], tile.fields.cover.buried_at(column, j));
+      lane.add_cell(state.h[at], state.hu[at], state.hv[at], tile.fields.cover.buried_at(column, j), above);
     });
     block.each([&](int x, int) {
       if (x == 0) {

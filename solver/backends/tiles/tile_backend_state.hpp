@@ -99,8 +99,8 @@ FieldValues TileBackend<Machine, Tile>::field(const std::string& name) const {
 
 template <class Machine, class Tile>
 void TileBackend<Machine, Tile>::launch_sums() const {
-  machine_->launch(RowSumsKernel<Tile>{tile_, control_.current, row_sums_.data()}, {ny(), 1}, {sum_lanes, 1},
-                   block_sum_bytes);
+  machine_->launch(RowSumsKernel<Tile>{tile_, control_.current, static_cast<R>(config_.above), row_sums_.data()},
+                   {ny(), 1}, {sum_lanes, 1}, block_sum_bytes);
   machine_->launch(TotalKernel{row_sums_.data(), ny(), row_sums_.data() + ny()}, {1, 1}, {sum_lanes, 1},
                    block_sum_bytes);
 }

@@ -33,7 +33,7 @@ TileBackend<Machine, Tile>::TileBackend(const std::shared_ptr<Machine>& machine,
   if (config.maxima) {
     maxima_array_ = allocate<R>(3 * cells());
     maxima_ = {maxima_array_.data(), maxima_array_.data() + cells(), maxima_array_.data() + 2 * cells(),
-               static_cast<R>(config.arrival_depth)};
+               static_cast<R>(config.above), static_cast<R>(config.drained)};
     const std::vector<R> none(cells(), R(0));
     set_maxima({none, none, std::vector<R>(cells(), std::numeric_limits<R>::quiet_NaN())});
   }
