@@ -82,7 +82,9 @@ TEST_CASE("the input files have beside them those that say where they lie or bel
   }
   Scene scene;
   scene.terrain = {RasterTerrain{{"dem.tif", nullptr}}};
-  scene.sand.initial = {SandPolygon{{"area.shp", "", "", nullptr, ""}}};
+  SandPolygon release;
+  release.file.file = "area.shp";
+  scene.sand.initial = {release};
   scene.sand.friction_angle = ZoneMap{{"soils.gpkg", "", "phi", nullptr, ""}, 0.5};
   std::string names;
   for (const auto& file : cli::input_files(scene, folder.path())) names += file.filename().string() + ' ';
