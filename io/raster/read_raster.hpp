@@ -9,16 +9,17 @@
 
 namespace sandsim {
 
-/// Reads a raster; the extension tells the format: .asc and .txt are ESRI ASCII grids, .npy are NumPy arrays.
+/// Reads a raster; the content tells the format, ESRI ASCII grid or NumPy array, whatever the file is called.
 /// Throws InputError: "file:line:col: problem (why). Suggestion".
 Raster read_raster(const std::filesystem::path& path);
 
 /// Reads an ESRI ASCII grid from memory; `name` stands for the file in errors.
 /// The header holds, in any order and case: ncols, nrows; xllcorner or xllcenter; yllcorner or yllcenter; cellsize, or
-/// dx and dy; and perhaps NODATA_value (a number or nan). The values follow, the northern row first, separated by
-/// blanks or line ends wherever they fall. Numbers have a decimal point. Lengths are metres.
-/// Values equal to NODATA_value in single precision become NaN; the rows are flipped, so that row 0 is the southern
-/// one.
+/// dx and dy; and perhaps NODATA_value (a number, nan or null). A colon or an equals sign may follow a key; or all keys
+/// follow their values, as GeoClaw writes them. The values follow, the northern row first, separated by blanks or line
+/// ends wherever they fall. Numbers have a decimal point or comma (EsriNumbers), exponents E or D. Lengths are metres.
+/// Values that are NaN (nan, null, 1.#QNAN) or equal NODATA_value in single precision become NaN; the rows are flipped,
+/// so that row 0 is the southern one.
 Raster read_esri_ascii(std::string_view text, const std::string& name);
 
 /// Reads a .npy file (format 1 to 3) from memory: f4, f8, i1 to i8, u1 to u8, either byte order, C or Fortran order.
