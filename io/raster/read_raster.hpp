@@ -23,7 +23,8 @@ Raster read_raster(const std::filesystem::path& path);
 Raster read_esri_ascii(std::string_view text, const std::string& name);
 
 /// Reads a .npy file (format 1 to 3) from memory: f4, f8, i1 to i8, u1 to u8, either byte order, C or Fortran order.
-/// Two dimensions (y, x); one dimension is one row. Row 0 has the smallest y: the opposite of an ESRI ASCII grid.
+/// Two dimensions (y, x); one dimension is one row. Row 0 has the smallest y, the opposite of an
+/// ESRI ASCII grid, unless the scene says first_row: north (io/scene/reading.cpp flips it then).
 /// NaN means no data; an array of NaN alone is an error. The file knows no position: has_georeference is false.
 Raster read_npy(std::string_view bytes, const std::string& name);
 

@@ -121,6 +121,11 @@ Members schema_of(const PathTable&, const Rule&) {
   return with_type("string");
 }
 
+template <class E>
+requires std::is_enum_v<E> Members schema_of(const E&, const Rule&) {
+  return {{"enum", array_of_texts(enum_names<E>())}};
+}
+
 Members schema_of(const ScalarMap&, const Rule& rule) {
   Members properties{{"raster", object(with_type("string"))}};
   std::vector<std::string> required{"raster"};
@@ -128,15 +133,13 @@ Members schema_of(const ScalarMap&, const Rule& rule) {
     properties.emplace_back("unit", object({{"const", in_quotes(unit)}}));
     required.emplace_back("unit");
   }
+  Members first_row{{"description", in_quotes("Which side row 0 of a .npy file is; south if it is left out.")}};
+  first_row.push_back(schema_of(FirstRow{}, rule).front());
+  properties.emplace_back("first_row", object(first_row));
   const Members map = with_type(
       "object",
       {{"properties", object(properties)}, {"required", array_of_texts(required)}, {"additionalProperties", "false"}});
   return {{"anyOf", array({object(schema_of(double{}, rule)), object(map)})}};
-}
-
-template <class E>
-requires std::is_enum_v<E> Members schema_of(const E&, const Rule&) {
-  return {{"enum", array_of_texts(enum_names<E>())}};
 }
 
 /// The value as JSON: what YAML reads as text is in quotes.

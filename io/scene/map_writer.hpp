@@ -90,7 +90,9 @@ class MapWriter {
   std::string moved(const std::string& file) const {
     return directory_.empty() ? file : (directory_ / file).lexically_normal().string();
   }
-  RasterFile located(const RasterFile& value) const { return {moved(value.file), value.data}; }
+  RasterFile located(const RasterFile& value) const {
+    return {moved(value.file), value.data, value.place, value.first_row};
+  }
   Profile located(const Profile& value) const { return {moved(value.file), {}, {}}; }
   FrontCurve located(const FrontCurve& value) const { return {moved(value.file), {}, {}}; }
   MeshFile located(const MeshFile& value) const { return {moved(value.file), value.mesh, value.distance}; }

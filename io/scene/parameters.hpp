@@ -36,9 +36,18 @@ void describe(V& v, PlaneTerrain& t) {
 }
 
 template <class V>
+void describe_first_row(V& v, RasterFile& file) {
+  v.field("first_row", file.first_row, choice(),
+          "Which side the first row (row 0) of a .npy file is: south, the smallest y, unless north is given, as "
+          "programs for maps have it. Not for files that know where their rows lie.");
+}
+
+template <class V>
 void describe(V& v, RasterTerrain& t) {
-  v.field("file", t.file, file().required().like("dem.asc"),
-          "ESRI ASCII grid or .npy; a relative name is relative to the scene file.");
+  describe_first_row(v, t.file);
+  v.field(
+      "file", t.file, file().required().like("dem.asc"),
+      "ESRI ASCII grid or .npy (row 0 in the south, see first_row); a relative name is relative to the scene file.");
   v.field("scale", t.scale, number(), "Factor on the values of the raster.");
   v.field("offset", t.offset, length(), "Height added after scaling.");
 }
@@ -87,8 +96,10 @@ void describe(V& v, SandLayer& s) {
 
 template <class V>
 void describe(V& v, SandRaster& s) {
-  v.field("file", s.file, file().at_least(0).required().like("depth.asc"),
-          "ESRI ASCII grid or .npy; a relative name is relative to the scene file.");
+  describe_first_row(v, s.file);
+  v.field(
+      "file", s.file, file().at_least(0).required().like("depth.asc"),
+      "ESRI ASCII grid or .npy (row 0 in the south, see first_row); a relative name is relative to the scene file.");
   v.field("scale", s.scale, number().at_least(0), "Factor on the values of the raster.");
   describe_velocity(v, s.velocity);
 }

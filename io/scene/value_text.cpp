@@ -34,8 +34,10 @@ const char* map_unit(Dimension dimension) {
 
 std::string value_text(const ScalarMap& value, const Rule& rule) {
   if (const double* number = std::get_if<double>(&value)) return value_text(*number, rule);
+  const RasterFile& raster = std::get<RasterFile>(value);
   const std::string unit = map_unit(rule.dimension);
-  return "{raster: " + in_quotes(std::get<RasterFile>(value).file) + (unit.empty() ? "" : ", unit: " + unit) + '}';
+  return "{raster: " + in_quotes(raster.file) + (unit.empty() ? "" : ", unit: " + unit) +
+         (raster.first_row ? std::string(", first_row: ") + enum_name(*raster.first_row) : "") + '}';
 }
 
 }  // namespace sandsim
