@@ -81,11 +81,6 @@ std::size_t last_level_cache() {
   return largest > 0 ? static_cast<std::size_t>(largest) : std::size_t{32} << 20;
 }
 
-double available_memory() {
-  const std::optional<std::string> kibibytes = find_entry("/proc/meminfo", "MemAvailable");
-  return kibibytes ? 1024.0 * std::strtod(kibibytes->c_str(), nullptr) : 0.0;
-}
-
 std::string cuda_line(const CudaSurvey& survey) {
   if (!survey.problem.empty()) {
     return survey.problem;

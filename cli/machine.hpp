@@ -26,7 +26,8 @@ std::string vector_instructions();
 /// [B] Size of the last-level cache, or 32 MiB if the system does not tell.
 std::size_t last_level_cache();
 
-/// [B] Memory that can be had without swapping; 0 if the system does not tell.
+/// [B] Memory that can be had without swapping, within the limits of control groups (containers, batch jobs) and of
+/// `ulimit -v`; 0 if the system does not tell.
 double available_memory();
 
 /// The CUDA device in one line, or why there is none.

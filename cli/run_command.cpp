@@ -39,11 +39,11 @@ RunInput read_input(const RunArguments& arguments, Console& console) {
       console.err << "sandsim: warning: " << warning << '\n';
     }
   }
-  require_memory(input.scene);
+  input.device = choose_device(arguments.device, input.scene.grid);
+  require_memory(input.scene, input.device.device);
   // The copy in the results has to find the scene's files from there; the hash must not depend on where they are.
   input.resolved = resolved_scene(input.scene, fs::absolute(file).parent_path());
   input.hash = hash_of(input.scene, file);
-  input.device = choose_device(arguments.device, input.scene.grid);
   input.directory = arguments.output.empty() ? default_output_directory(file) : fs::path(arguments.output);
   return input;
 }

@@ -55,7 +55,7 @@ def write_result(path, depth, objects=(), poses=(), particles=None, velocity=Non
             for k, key in enumerate(("object_position", "object_rotation")):
                 file[key] = np.array([[pose.get(name, absent)[k] for name in names] for pose in poses], dtype=float)
         if particles is not None:
-            file["particle_position"] = np.asarray([particles], np.float32)
+            file["particle_position"] = np.asarray([particles], np.float64)
             file["particle_id"] = [np.arange(len(particles))]
             file["particle_visible"] = np.ones((1, len(particles)), np.int64)
     return path

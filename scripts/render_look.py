@@ -45,7 +45,7 @@ QUALITIES = {
 
 def vector(values):
     """POV-Ray's vector."""
-    return "<" + ",".join(f"{value:.9g}" for value in values) + ">"
+    return "<" + ",".join(f"{value:.15g}" for value in values) + ">"
 
 
 def srgb(colour, factor=1.0):

@@ -9,6 +9,7 @@
 #include "solver/backends/cuda/cuda.hpp"
 #include "solver/backends/expected_bytes.hpp"
 #include "solver/errors.hpp"
+#include "solver/needs.hpp"
 #include "solver/numerics.hpp"
 #include "solver/object_stage.hpp"
 
@@ -51,6 +52,10 @@ BackendConfig backend_config(const Scene& scene, int threads) {
 }
 
 std::unique_ptr<Backend> make_backend(const BackendConfig& config, const InitialState& initial, Device device) {
+  if (static_cast<double>(config.grid.cell_count()) > most_cells ||
+      particle_number(config.grid, config.particles) >= most_cells) {
+    throw DeviceError("more than 2^31 cells or particles: use a larger spacing");
+  }
   const auto make = [&initial, device](const BackendConfig& part) {
     return make_with_bed_or_without(part, initial, device);
   };

@@ -51,14 +51,6 @@ bool contains(const Grid& grid, const std::array<double, 2>& point) {
 
 // ---- grid -----------------------------------------------------------------------------------------------------------
 void check_grid(const Grid& grid, Issues& issues) {
-  const auto count = static_cast<std::int64_t>(grid.cells[0]) * grid.cells[1];
-  if (count > std::int64_t{1} << 31) {
-    issues.push_back({"grid.cells",
-                      "too many cells",
-                      std::to_string(count) + "; at most 2^31 = 2147483648",
-                      "Use a larger spacing.",
-                      {"grid"}});
-  }
   const Extent own = extent(grid);
   for (std::size_t k = 0; k < 2; ++k) {
     // Neighbouring cell centres have to differ clearly in double precision: by 1e-10 of their coordinates.
@@ -309,15 +301,6 @@ void check_particles(const Grid& grid, const Particles& particles, Issues& issue
                       "the cells of the particles are whole parts of a cell of the sand",
                       "Use 1 cells, 0.5 cells, 0.25 cells ...?",
                       {"grid.spacing"}});
-    return;
-  }
-  const double count = whole * grid.cells[0] * whole * grid.cells[1] * particles.layers;
-  if (count >= 2147483648.0) {
-    issues.push_back({"particles",
-                      "too many particles",
-                      std::to_string(static_cast<std::int64_t>(count)) + "; fewer than 2^31 = 2147483648",
-                      "Use a larger spacing, or fewer layers.",
-                      {"grid"}});
   }
 }
 

@@ -30,7 +30,7 @@ struct ParticleGrid {
 std::int64_t particle_count(const Grid& grid, const std::optional<Particles>& particles);
 
 /// Bytes of a particle in a frame: its position, id and visibility.
-inline constexpr std::int64_t particle_frame_bytes = 3 * sizeof(float) + sizeof(std::int64_t) + sizeof(std::uint8_t);
+inline constexpr std::int64_t particle_frame_bytes = 3 * sizeof(double) + sizeof(std::int64_t) + sizeof(std::uint8_t);
 
 /// All that is needed to go on moving particles bit for bit.
 struct ParticleArrays {

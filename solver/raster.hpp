@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,11 +44,17 @@ struct Raster {
   }
 };
 
+/// Which end of a raster without a position the first row of its file is.
+enum class FirstRow { south, north };
+
 /// A raster together with the name under which the scene refers to it.
 struct RasterFile {
-  std::string file;                    // as written in the scene
-  std::shared_ptr<const Raster> data;  // never null in a scene that was read
-  std::string place{};                 // "scene.yaml:7:30", for messages; empty in scenes that were not read
+  std::string file;                       // as written in the scene
+  std::shared_ptr<const Raster> data;     // never null in a scene that was read
+  std::string place{};                    // "scene.yaml:7:30", for messages; empty in scenes that were not read
+  std::optional<FirstRow> first_row{};    // as written in the scene; absent: south, unless the file knows by itself
+  std::optional<int> band{};              // likewise; absent: 1
+  std::optional<std::string> variable{};  // likewise; absent: the only one
 };
 
 }  // namespace sandsim

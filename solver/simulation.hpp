@@ -1,6 +1,7 @@
 // A run of a scene: steps from frame to frame, hands frames to a sink, and reports.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -61,16 +62,14 @@ struct RunOptions {
 /// Throws OutputError from the sink (the report is then lost: the caller reports the error), DeviceError.
 RunReport run(const Scene& scene, const RunOptions& options, Sink& sink);
 
-/// What a run of the scene would need, without running it.
+/// What a run of the scene would begin with, without running it.
 struct Plan {
-  std::vector<std::string> stages;
-  std::int64_t memory_bytes = 0;
   double first_step = 0.0;           // [s] stable step of the initial state; infinite if nothing moves
   std::int64_t predicted_steps = 0;  // end / first_step (or the fixed step): an estimate
-  std::int64_t frames = 0;
-  std::int64_t output_bytes = 0;  // uncompressed
   ReleaseReport release;
   std::vector<std::string> warnings;  // of the initial state
+  // [m] bed of the cells in the corners of the grid: south-west, south-east, north-west, north-east
+  std::array<double, 4> corner_beds{};
 };
 Plan plan(const Scene& scene);
 

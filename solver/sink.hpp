@@ -61,7 +61,7 @@ struct ObjectPose {
 
 /// The particles as they are drawn. Their number is that of the cells of the grid J, in every frame.
 struct ParticleFrame {
-  std::vector<float> position;        // [m] x, y, z of each, at the surface or below it (eq. 33)
+  std::vector<double> position;       // [m] x, y, z of each, at the surface or below it (eq. 33)
   std::vector<std::int64_t> id;       // stays with a particle as long as it lives; no two ever have the same
   std::vector<std::uint8_t> visible;  // 0: in sand too thin, or below the ground
 };

@@ -19,7 +19,7 @@ std::string vtp_bytes(const surface::SurfaceMesh& mesh);
 /// VTK's legacy PolyData, binary, which is big-endian; the same content.
 std::string vtk_bytes(const surface::SurfaceMesh& mesh);
 
-/// A point cloud: x, y, z in float32, and id in float64, since PLY's integers have 32 bits. Throws OutputError for ids
+/// A point cloud: x, y, z in float64, and id likewise, since PLY's integers have 32 bits. Throws OutputError for ids
 /// beyond 2^53, which float64 would round.
 std::string ply_bytes(const VisibleParticles& particles);
 /// PolyData with a vertex for each particle, and their `id` in 64 bits.

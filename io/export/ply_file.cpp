@@ -39,7 +39,7 @@ std::string ply_bytes(const surface::SurfaceMesh& mesh) {
 std::string ply_bytes(const VisibleParticles& particles) {
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment sandsim, metres, z up\nelement vertex {}\n"
-      "property float x\nproperty float y\nproperty float z\nproperty double id\nend_header\n",
+      "property double x\nproperty double y\nproperty double z\nproperty double id\nend_header\n",
       particles.positions.size());
   for (std::size_t k = 0; k < particles.positions.size(); ++k) {
     const std::int64_t id = particles.ids[k];

@@ -101,7 +101,7 @@ std::string vtp_bytes(const VisibleParticles& particles) {
   const std::size_t count = particles.positions.size();
   AppendedArrays arrays;
   std::string tags = section("PointData Scalars=\"id\"", "PointData", arrays.add("id", "Int64", 1, raw(particles.ids)));
-  tags += section("Points", "Points", arrays.add("points", "Float32", 3, raw(particles.positions)));
+  tags += section("Points", "Points", arrays.add("points", "Float64", 3, raw(particles.positions)));
   tags += section("Verts", "Verts",
                   arrays.add("connectivity", "Int64", 1, raw(numbers(0, 1, count))) +
                       arrays.add("offsets", "Int64", 1, raw(numbers(1, 1, count))));

@@ -39,9 +39,9 @@ class Gis {
  public:
   virtual ~Gis() = default;
 
-  /// Values as double, scale and offset of the band applied; NODATA is NaN; row 0 is the southern one. A file without
-  /// position has no georeference, and is north up. Refused: complex values, pictures, values in feet, no such band, a
-  /// rotated grid, coordinates in degrees or feet, a truncated file.
+  /// Values as double, scale and offset of the band applied; NODATA is NaN; row 0 is the southern one. Refused: complex
+  /// values, pictures, values in feet, no such band, no position, a rotated grid, coordinates in degrees or feet, a
+  /// truncated file.
   virtual Raster read_raster(const std::filesystem::path& file, const RasterRequest& request) = 0;
 
   /// Refused: an empty layer, other geometries than (multi-)polygons, polygons without area or that cross themselves;

@@ -123,8 +123,6 @@ void describe(hid_t dataset, const Variable& variable, const Scene& scene) {
   if (variable.coordinate() || variable.name == "bed") return;
   if (variable.type == NumberType::real && precision == Precision::float32) {
     hdf5::write_attribute(dataset, "_FillValue", static_cast<float>(not_a_number));
-  } else if (variable.type == NumberType::float32) {
-    hdf5::write_attribute(dataset, "_FillValue", static_cast<float>(not_a_number));
   } else if (variable.type == NumberType::real || variable.type == NumberType::float64) {
     hdf5::write_attribute(dataset, "_FillValue", not_a_number);
   }
@@ -187,8 +185,8 @@ void write_probe_coordinates(hid_t file, const std::vector<Probe>& probes) {
 hid_t stored_type(const Variable& variable, Precision precision) {
   if (variable.type == NumberType::int64) return H5T_STD_I64LE;
   if (variable.type == NumberType::int8) return H5T_STD_I8LE;
-  const bool single = variable.type == NumberType::float32 || variable.type == NumberType::nothing ||
-                      (variable.type == NumberType::real && precision == Precision::float32);
+  const bool single =
+      variable.type == NumberType::nothing || (variable.type == NumberType::real && precision == Precision::float32);
   return single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
 }
 

@@ -181,7 +181,7 @@ void SeriesFile::write_particles(const ParticleFrame& particles) const {
   const auto frame = static_cast<hsize_t>(frames_);
   const hsize_t count = particles.id.size();
   const hdf5::Block numbers{{frame, 0}, {1, count}};
-  hdf5::write(find("particle_position").dataset.id(), H5T_NATIVE_FLOAT, particles.position.data(),
+  hdf5::write(find("particle_position").dataset.id(), H5T_NATIVE_DOUBLE, particles.position.data(),
               {{frame, 0, 0}, {1, count, 3}});
   hdf5::write(find("particle_id").dataset.id(), H5T_NATIVE_INT64, particles.id.data(), numbers);
   hdf5::write(find("particle_visible").dataset.id(), H5T_NATIVE_UINT8, particles.visible.data(), numbers);

@@ -123,10 +123,10 @@ VisibleParticles SeriesFrames::particles(std::size_t frame) const {
     const hsize_t count = reader_->find("particle_position")->extent[1];
     require_extent(*reader_, "particle_position", {times_.size(), count, 3});
     for (const char* name : {"particle_id", "particle_visible"}) require_extent(*reader_, name, {times_.size(), count});
-    std::vector<std::array<float, 3>> positions(count);
+    std::vector<std::array<double, 3>> positions(count);
     std::vector<std::int64_t> ids(count), shown(count);
     if (count > 0) {
-      hdf5::read(position.id(), H5T_NATIVE_FLOAT, positions.data(), {{frame, 0, 0}, {1, count, 3}});
+      hdf5::read(position.id(), H5T_NATIVE_DOUBLE, positions.data(), {{frame, 0, 0}, {1, count, 3}});
       hdf5::read(id.id(), H5T_NATIVE_INT64, ids.data(), {{frame, 0}, {1, count}});
       hdf5::read(visible.id(), H5T_NATIVE_INT64, shown.data(), {{frame, 0}, {1, count}});
     }

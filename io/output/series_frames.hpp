@@ -16,7 +16,7 @@ class SeriesReader;
 
 /// The particles of a frame that are to be drawn.
 struct VisibleParticles {
-  std::vector<std::array<float, 3>> positions;  // [m]
+  std::vector<std::array<double, 3>> positions;  // [m]
   std::vector<std::int64_t> ids;
   std::size_t hidden = 0;  // particles that are not among them
 };

@@ -69,7 +69,7 @@ void add_objects(std::vector<Variable>& variables) {
 
 void add_particles(std::vector<Variable>& variables) {
   variables.push_back({"particle", {particle}, "", "", nothing});
-  variables.push_back({"particle_position", {time, particle, axis}, "m", "place under the surface", float32});
+  variables.push_back({"particle_position", {time, particle, axis}, "m", "place under the surface", float64});
   variables.push_back({"particle_id", {time, particle}, "1", "stays with a particle as long as it lives", int64});
   variables.push_back({"particle_visible", {time, particle}, "1", "whether it is in the sand", int8});
 }

@@ -11,7 +11,7 @@ namespace sandsim {
 enum class Dimension { time, y, x, probe, front_depth, object, particle, axis, quaternion };
 
 /// `real` is the run's precision; `nothing` marks a dimension without coordinates.
-enum class NumberType { real, float32, float64, int64, int8, text, nothing };
+enum class NumberType { real, float64, int64, int8, text, nothing };
 
 struct Variable {
   std::string name;                   // of the data set

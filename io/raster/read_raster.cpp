@@ -7,6 +7,7 @@
 #include <new>
 
 #include "io/gis/gis.hpp"
+#include "io/raster/esri_header.hpp"
 #include "io/raster/limits.hpp"
 #include "io/raster/source_text.hpp"
 #include "solver/errors.hpp"
@@ -20,18 +21,39 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+enum class RasterKind { esri_ascii, npy, other };
+
+/// The content decides; a file that is meant to be one of the formats by its name goes to that reader, whose error
+/// says what is wrong with it.
+RasterKind kind_of(const std::filesystem::path& path) {
+  constexpr std::size_t most_bytes_of_a_first_line = 4096;
+  const std::string start = read_file_start(path, most_bytes_of_a_first_line);
+  const std::string extension = lower_case(path.extension().string());
+  if (start.starts_with("\x93NUMPY") || extension == ".npy") {
+    return RasterKind::npy;
+  }
+  if (begins_like_esri_ascii(start) || extension == ".asc" || extension == ".txt") {
+    return RasterKind::esri_ascii;
+  }
+  return RasterKind::other;
+}
+
 }  // namespace
 
-Raster read_raster(const std::filesystem::path& path) {
-  const std::string extension = lower_case(path.extension().string());
-  const bool ascii = extension == ".asc" || extension == ".txt";
-  if (!ascii && extension != ".npy") {
-    return gis(path.string()).read_raster(path, {});
-  }
+Raster read_raster(const std::filesystem::path& path, const RasterRequest& request) {
   constexpr std::size_t most_bytes_a_value = 32;
+  const RasterKind kind = kind_of(path);
   try {
+    if (kind == RasterKind::other) {
+      return gis(path.string()).read_raster(path, request);
+    }
+    if (request.band != 1 || !request.variable.empty()) {
+      throw InputError(fmt::format("{}: {} is asked for, and the file holds one map only", path.string(),
+                                   request.variable.empty() ? fmt::format("band {}", request.band)
+                                                            : fmt::format("variable '{}'", request.variable)));
+    }
     const std::string bytes = read_file_bytes(path, most_raster_values * most_bytes_a_value);
-    return ascii ? read_esri_ascii(bytes, path.string()) : read_npy(bytes, path.string());
+    return kind == RasterKind::npy ? read_npy(bytes, path.string()) : read_esri_ascii(bytes, path.string());
   } catch (const std::bad_alloc&) {
     throw DeviceError(fmt::format("{}: the raster does not fit into memory", path.string()));
   }

@@ -25,9 +25,7 @@ std::string location(std::string_view text, std::size_t offset) {
   return fmt::format("{}:{}", line, offset - line_start + 1);
 }
 
-}  // namespace
-
-std::string read_file_bytes(const std::filesystem::path& path, std::size_t most_bytes) {
+std::ifstream open_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
@@ -36,14 +34,29 @@ std::string read_file_bytes(const std::filesystem::path& path, std::size_t most_
   if (!std::filesystem::is_regular_file(status)) {
     throw InputError(fmt::format("{}: cannot be read (not a regular file)", path.string()));
   }
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (!error && size > most_bytes) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw InputError(fmt::format("{}: cannot be opened (permission denied?)", path.string()));
+  }
+  return file;
+}
+
+}  // namespace
+
+std::string read_file_start(const std::filesystem::path& path, std::size_t count) {
+  std::string bytes(count, '\0');
+  std::ifstream file = open_file(path);
+  file.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+std::string read_file_bytes(const std::filesystem::path& path, std::size_t most_bytes) {
+  std::ifstream file = open_file(path);
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  if (size > most_bytes) {
     throw InputError(
         fmt::format("{}: the file is too large ({} bytes; at most {} are read)", path.string(), size, most_bytes));
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (error || !file) {
-    throw InputError(fmt::format("{}: cannot be opened (permission denied?)", path.string()));
   }
   std::string bytes(static_cast<std::size_t>(size), '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

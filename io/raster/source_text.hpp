@@ -12,6 +12,9 @@ namespace sandsim {
 /// The whole file as bytes. Throws InputError if it is missing, no regular file, unreadable or over `most_bytes`.
 std::string read_file_bytes(const std::filesystem::path& path, std::size_t most_bytes);
 
+/// The first bytes of a file, at most `count`. Throws InputError if it is missing, no regular file or unreadable.
+std::string read_file_start(const std::filesystem::path& path, std::size_t count);
+
 /// Text that outlives this object, and the name under which errors speak of it.
 class SourceText {
  public:

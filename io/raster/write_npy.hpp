@@ -8,7 +8,8 @@
 
 namespace sandsim {
 
-/// The bytes of a .npy file (format 1.0) of ny * nx float64 values, x fastest. read_npy() gives the same bits back.
+/// The bytes of a .npy file (format 1.0) of ny * nx float64 values, x fastest, from the south. read_npy() gives the
+/// same bits back.
 std::string npy_bytes(std::span<const double> values, std::size_t nx, std::size_t ny);
 
 /// Likewise of float32 values with the dimensions z, y, x; `points` along x, y, z. read_npy_sdf() gives them back.

@@ -22,6 +22,10 @@ A scene is one YAML document. Names of files in it are relative to its folder.
 - Quantities are a number and a unit, `5 cm`. A unit is never assumed: a bare number where a unit is needed is an error,
   and so is a unit on a pure number. `cells` is the grid's spacing.
 - Numbers are decimal and finite: no `010`, `0x10`, `1_000`, `.nan`. Booleans are `true` and `false`.
+- Rasters are ESRI ASCII grids, known by their content, or NumPy arrays (.npy) of (y, x). An ESRI ASCII grid begins in
+  the north and says where it lies. A .npy covers the grid, and its row 0 is the SOUTHERN one, at the smallest y, unless
+  `first_row: north` stands beside it, also in a map `{raster: FILE, unit: deg, first_row: north}`: give it for arrays
+  that were read from a GeoTIFF. `sandsim check` prints the bed in the four corners of the grid.
 - Unknown keys, duplicate keys and keys that do not apply are errors. All problems of a scene are reported at once.
 - `sandsim schema` prints the JSON Schema of this format; editors use it after the first line
   `# yaml-language-server: $schema=../scene.schema.json`.

@@ -127,6 +127,11 @@ Members schema_of(const PathTable&, const Rule&) {
   return with_type("string");
 }
 
+template <class E>
+requires std::is_enum_v<E> Members schema_of(const E&, const Rule&) {
+  return {{"enum", array_of_texts(enum_names<E>())}};
+}
+
 Members schema_of(const ScalarMap&, const Rule& rule) {
   const std::string number = object(schema_of(double{}, rule));
   const auto map = [&](Members properties, std::vector<std::string> required) {
@@ -139,14 +144,15 @@ Members schema_of(const ScalarMap&, const Rule& rule) {
                                        {"additionalProperties", "false"}}));
   };
   const std::string text = object(with_type("string"));
-  return {{"anyOf", array({number, map({{"raster", text}}, {"raster"}),
+  Members first_row{{"description", in_quotes("Which side row 0 of a .npy file is; south if it is left out.")}};
+  first_row.push_back(schema_of(FirstRow{}, rule).front());
+  const Members raster{{"raster", text},
+                       {"band", object(with_type("integer", {{"minimum", "1"}}))},
+                       {"variable", text},
+                       {"first_row", object(first_row)}};
+  return {{"anyOf", array({number, map(raster, {"raster"}),
                            map({{"polygons", text}, {"layer", text}, {"attribute", text}, {"elsewhere", number}},
                                {"polygons", "attribute", "elsewhere"})})}};
-}
-
-template <class E>
-requires std::is_enum_v<E> Members schema_of(const E&, const Rule&) {
-  return {{"enum", array_of_texts(enum_names<E>())}};
 }
 
 /// The value as JSON: what YAML reads as text is in quotes.

@@ -97,7 +97,10 @@ class MapWriter {
   std::string moved(const std::string& file) const {
     return directory_.empty() ? file : (directory_ / file).lexically_normal().string();
   }
-  RasterFile located(const RasterFile& value) const { return {moved(value.file), value.data}; }
+  RasterFile located(RasterFile value) const {
+    value.file = moved(value.file);
+    return value;
+  }
   PolygonFile located(const PolygonFile& value) const {
     return {moved(value.file), value.layer, value.attribute, value.data, value.place};
   }

@@ -49,6 +49,10 @@ struct EnumNames<OutputField> {
   static constexpr std::array names{"depth", "velocity", "surface", "momentum"};
 };
 template <>
+struct EnumNames<FirstRow> {
+  static constexpr std::array names{"south", "north"};
+};
+template <>
 struct EnumNames<ParticleVelocity> {
   static constexpr std::array names{"averaged", "dilute"};
 };

@@ -52,10 +52,22 @@ void describe(V& v, PlaneTerrain& t) {
   v.field("elevation", t.elevation, length(), "Height of the bed at the grid's origin.");
 }
 
+/// What a raster's file is asked for, and the file itself.
+template <class V>
+void describe_raster(V& v, RasterFile& file, const Rule& rule) {
+  v.field("band", file.band, number().at_least(1), "Band of a file that GDAL reads, counted from 1.");
+  v.field("variable", file.variable, text().like("elevation"), "Variable of a file that holds several (NetCDF).");
+  v.field("first_row", file.first_row, choice(),
+          "Which side the first row (row 0) of a .npy file is: south, the smallest y, unless north is given, as "
+          "programs for maps have it. Not for files that know where their rows lie.");
+  v.field("file", file, rule,
+          "GeoTIFF or what else GDAL reads, ESRI ASCII grid, or .npy (row 0 in the south, see first_row); a relative "
+          "name is relative to the scene file.");
+}
+
 template <class V>
 void describe(V& v, RasterTerrain& t) {
-  v.field("file", t.file, file().required().like("dem.asc"),
-          "ESRI ASCII grid or .npy; a relative name is relative to the scene file.");
+  describe_raster(v, t.file, file().required().like("dem.tif"));
   v.field("scale", t.scale, number(), "Factor on the values of the raster.");
   v.field("offset", t.offset, length(), "Height added after scaling.");
   v.field("nodata", t.nodata, choice(),
@@ -107,8 +119,7 @@ void describe(V& v, SandLayer& s) {
 
 template <class V>
 void describe(V& v, SandRaster& s) {
-  v.field("file", s.file, file().at_least(0).required().like("depth.asc"),
-          "ESRI ASCII grid or .npy; a relative name is relative to the scene file.");
+  describe_raster(v, s.file, file().at_least(0).required().like("depth.tif"));
   v.field("scale", s.scale, number().at_least(0), "Factor on the values of the raster.");
   describe_velocity(v, s.velocity);
 }

@@ -194,15 +194,23 @@ std::filesystem::path Reading::find_file(const Node& node, const std::string& pa
   return {};
 }
 
-std::shared_ptr<const Raster> Reading::load(const Node& node, const std::string& path, const Rule& rule) {
-  const std::filesystem::path full = find_file(node, path, rule);
-  if (full.empty()) return std::make_shared<Raster>();
+void Reading::load(const Node& node, const std::string& path, RasterFile& target, const Rule& rule) {
   auto raster = std::make_shared<Raster>();
+  target.file = node.text;
+  target.data = raster;
+  const std::filesystem::path full = find_file(node, path, rule);
+  if (full.empty()) return;
   try {
-    *raster = read_raster(full);
+    *raster = read_raster(full, {target.band.value_or(1), target.variable.value_or("")});
   } catch (const InputError& error) {
     complain_input(node, path, {"the raster cannot be read", error.what(), ""});
-    return std::make_shared<Raster>();
+    return;
+  }
+  if (target.first_row && raster->has_georeference) {
+    complain_at(path.substr(0, path.rfind('.')) + ".first_row",
+                {"not used", shown(node) + " says by itself where its rows lie", "Remove it."});
+  } else if (target.first_row == FirstRow::north) {
+    raster->flip_rows();
   }
   check_crs(node, path, *raster);
   double smallest = std::numeric_limits<double>::infinity();
@@ -223,7 +231,6 @@ std::shared_ptr<const Raster> Reading::load(const Node& node, const std::string&
               fill ? describe_fill_value(*fill).suggestion : ""});
   }
   std::transform(raster->values.begin(), raster->values.end(), raster->values.begin(), si);
-  return raster;
 }
 
 void Reading::know_grid(const Grid& grid) {
@@ -258,7 +265,7 @@ void Reading::check_crs(const Node& node, const std::string& path, const Raster&
 }
 
 void Reading::parse(const Node& node, const std::string& path, RasterFile& target, const Rule& rule) {
-  target = {node.text, load(node, path, rule), place_of(node)};
+  load(node, path, target, rule);
 }
 
 void Reading::parse(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule) {
@@ -276,7 +283,9 @@ void Reading::parse(const Node& node, const std::string& path, ScalarMap& target
   const std::string unit = map_unit(rule.dimension);
   const std::string like = unit.empty() ? "{raster: map.asc}" : "{raster: map.asc, unit: " + unit + "}";
   for (const Node& child : node.children) {
-    if (child.key == "raster" || (child.key == "unit" && !unit.empty())) continue;
+    const bool known = child.key == "raster" || child.key == "first_row" || child.key == "band" ||
+                       child.key == "variable" || (child.key == "unit" && !unit.empty());
+    if (known) continue;
     complain_key(child.position, path + '.' + child.key, {"unknown key", "", "Write the map like " + like + "."});
   }
   if (const Node* given = node.find("unit"); given != nullptr && !unit.empty()) {
@@ -290,7 +299,25 @@ void Reading::parse(const Node& node, const std::string& path, ScalarMap& target
     complain_key(node.position, path + ".raster", {"missing", "the file of the map", "Write it like " + like + "."});
     return;
   }
-  target = RasterFile{raster->text, load(*raster, path + ".raster", rule), place_of(*raster)};
+  RasterFile map;
+  if (const Node* given = node.find("first_row"); given != nullptr) {
+    note(path + ".first_row", *given);
+    const std::size_t index = parse_name(*given, path + ".first_row", enum_names<FirstRow>());
+    if (index == npos) return;
+    map.first_row = static_cast<FirstRow>(index);
+  }
+  if (const Node* given = node.find("band")) {
+    int band = 1;
+    parse(*given, path + ".band", band, number().at_least(1));
+    map.band = band;
+  }
+  if (const Node* given = node.find("variable")) {
+    std::string variable;
+    parse(*given, path + ".variable", variable, text().required());
+    map.variable = variable;
+  }
+  load(*raster, path + ".raster", map, rule);
+  target = std::move(map);
 }
 
 template <class Table, class Read>

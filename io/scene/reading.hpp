@@ -64,8 +64,9 @@ class Reading {
   void complain_input(const Node& node, const std::string& path, const Complaint& complaint);
   /// The file's full name if it is there and a file; else complains (or warns) and returns an empty path.
   std::filesystem::path find_file(const Node& node, const std::string& path, const Rule& rule);
-  /// Loads a raster whose values are in the display unit of the rule's dimension, and checks them.
-  std::shared_ptr<const Raster> load(const Node& node, const std::string& path, const Rule& rule);
+  /// Loads the raster of `node` into `target`, whose first_row says how the file lies; values are in the display unit
+  /// of the rule's dimension, and are checked.
+  void load(const Node& node, const std::string& path, RasterFile& target, const Rule& rule);
   void check_crs(const Node& node, const std::string& path, const Raster& raster);
   void parse_zones(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule);
   template <class Table, class Read>

@@ -36,7 +36,12 @@ std::string value_text(const ScalarMap& value, const Rule& rule) {
   if (const double* number = std::get_if<double>(&value)) return value_text(*number, rule);
   const std::string of_unit = map_unit(rule.dimension);
   const std::string unit = of_unit.empty() ? "" : ", unit: " + of_unit;
-  if (const auto* raster = std::get_if<RasterFile>(&value)) return "{raster: " + in_quotes(raster->file) + unit + '}';
+  if (const auto* raster = std::get_if<RasterFile>(&value)) {
+    return "{raster: " + in_quotes(raster->file) + unit +
+           (raster->band ? ", band: " + std::to_string(*raster->band) : "") +
+           (raster->variable ? ", variable: " + in_quotes(*raster->variable) : "") +
+           (raster->first_row ? std::string(", first_row: ") + enum_name(*raster->first_row) : "") + '}';
+  }
   const ZoneMap& zones = std::get<ZoneMap>(value);
   const PolygonFile& file = zones.polygons;
   return "{polygons: " + in_quotes(file.file) + (file.layer.empty() ? "" : ", layer: " + in_quotes(file.layer)) +

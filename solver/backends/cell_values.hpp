@@ -36,7 +36,7 @@ SANDSIM_HD R cell_value(CellField field, const Cover<R>& cover, int i, int j, R 
     case CellField::velocity_y:
       return physics::quotient_velocity(hv, h, dry_depth);
     case CellField::surface:
-      return cover.surface(i, j, h, bed);
+      return static_cast<R>(cover.surface(i, j, h, bed));
     case CellField::bed:
       return cover.terrain(i, j, bed);
     case CellField::flowing_depth:

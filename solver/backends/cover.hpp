@@ -21,10 +21,12 @@ struct Cover {
   }
   /// The terrain where the flow sees `bed`. [m]
   SANDSIM_HD R terrain(int i, int j, R bed) const { return none() ? bed : ground.row(j)[i]; }
-  /// Height of the sand, which is that of the ground where there is none. [m]
-  SANDSIM_HD R surface(int i, int j, R h, R bed) const {
+  /// Height of the sand, which is that of the ground where there is none; in double, for of a bed far from 0 an R
+  /// would round the depth away. [m]
+  SANDSIM_HD double surface(int i, int j, R h, R bed) const {
     const bool on_top = none() || h > R(0) || bed == ground.row(j)[i];
-    return on_top ? h + bed : ground.row(j)[i] + static_cast<R>(buried.row(j)[i]);
+    const R above = on_top ? h : static_cast<R>(buried.row(j)[i]);
+    return static_cast<double>(above) + static_cast<double>(on_top ? bed : ground.row(j)[i]);
   }
 };
 

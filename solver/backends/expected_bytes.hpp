@@ -7,6 +7,17 @@
 
 namespace sandsim {
 
+/// What the state of a scene holds besides depth and momentum.
+struct FieldArrays {
+  bool bed = false, covers = false, maxima = false;
+  int maps = 0;  // of the material
+};
+
+/// Bytes of the state and its maps, halos left out.
+double field_state_bytes(const Grid& grid, Precision precision, const FieldArrays& arrays);
+/// Bytes of the particles, of the sand as they see it, and of a frame of them.
+double particle_state_bytes(const Grid& grid, const std::optional<Particles>& particles);
+
 /// Bytes that the state, its maps and the particles will take, halos left out.
 double expected_bytes(const BackendConfig& config, const InitialState& initial);
 

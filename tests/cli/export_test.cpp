@@ -2,7 +2,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "io/mesh/read_mesh.hpp"
@@ -57,6 +62,15 @@ double number_of(const std::string& json, const std::string& name) {
 
 std::size_t files_in(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+/// x, y, z and id of all particles of a point cloud.
+std::vector<std::array<double, 4>> points_of(const fs::path& file) {
+  const std::string bytes = read_text(file), end = "end_header\n";
+  const std::size_t data = bytes.find(end) + end.size();
+  std::vector<std::array<double, 4>> points((bytes.size() - data) / sizeof(std::array<double, 4>));
+  std::memcpy(points.data(), bytes.data() + data, points.size() * sizeof points[0]);
+  return points;
 }
 
 }  // namespace
@@ -218,6 +232,50 @@ TEST_CASE("only visible particles are written") {
   CHECK(contains(ply, "element vertex " + std::to_string(static_cast<int>(written)) + "\n"));
   const Outcome last = result.exported({"--what", "particles", "--format", "vtp", "--json"});
   CHECK(number_of(last.out, "particles") > written);  // the sand has spread
+}
+
+TEST_CASE("particles and surface in UTM coordinates are those near the origin, shifted") {
+  const auto exported = [](const std::string& origin, const std::string& from, const std::string& to) {
+    return Result(R"(grid: {cells: [24, 12], spacing: 1 cm, origin: )" + origin + R"(}
+sand: {friction_angle: 30 deg, initial: {type: box, from: )" +
+                  from + ", to: " + to + R"(, depth: 8 cm}}
+time: {end: 40 ms, frame_interval: 20 ms}
+output: {fields: [depth]}
+particles: {spacing: 1 cells}
+)");
+  };
+  const Result near = exported("[0 m, 0 m]", "[6 cm, 0 cm]", "[12 cm, 12 cm]");
+  const Result far = exported("[4567000 m, 5234000 m]", "[4567000.06 m, 5234000 m]", "[4567000.12 m, 5234000.12 m]");
+  for (const char* frame : {"0", "-1"}) {
+    for (const Result* result : {&near, &far}) {
+      REQUIRE(result->exported({"--what", "particles", "--frame", frame, "--overwrite"}).code == 0);
+      REQUIRE(result->exported({"--frame", frame, "--overwrite"}).code == 0);
+    }
+    const auto a = points_of(near.path / "particles.ply"), b = points_of(far.path / "particles.ply");
+    REQUIRE(a.size() == b.size());
+    REQUIRE(a.size() > 60);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      REQUIRE(a[k][3] == b[k][3]);
+      largest = std::max({largest, std::fabs(b[k][0] - 4567000.0 - a[k][0]), std::fabs(b[k][1] - 5234000.0 - a[k][1]),
+                          std::fabs(b[k][2] - a[k][2])});
+    }
+    CHECK(largest < 1e-6 * 0.01);  // of a cell; doubles are 1e-9 m apart at these coordinates
+    if (std::string(frame) == "0") {
+      std::set<std::pair<double, double>> cells;
+      for (const auto& point : b) {
+        cells.insert({std::floor((point[0] - 4567000.0) / 0.01), std::floor((point[1] - 5234000.0) / 0.01)});
+      }
+      CHECK(cells.size() == 6 * 12);  // one in each of the cells with sand
+    }
+    // No particle lies outside of the mesh.
+    const objects::TriangleMesh mesh = read_mesh(far.path / "surface.ply");
+    const auto [west, east] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                                  [](const auto& p, const auto& q) { return p.x < q.x; });
+    for (const auto& point : b) {
+      REQUIRE((point[0] >= west->x - 0.005 && point[0] <= east->x + 0.005));  // which ends at centres of cells
+    }
+  }
 }
 
 TEST_CASE("without sand above the contour the mesh is empty and that is said") {

@@ -183,17 +183,45 @@ TEST_CASE("a cuda run without a device exits 4 and says what is missing and what
   CHECK(contains(outcome.err, "--device cpu"));
 }
 
-TEST_CASE("a grid that no memory holds exits 4") {
-  if (sandsim::cli::available_memory() > 110e9) {
-    WARN("skipped: this machine has the memory");
+TEST_CASE("a scene that no memory holds exits 4 and says what it needs and what would fit") {
+  const std::vector<std::vector<std::string>> larger{
+      {"--set", "grid.cells=[200000, 200000]"},
+      {"--set", "grid.cells=[2147483647, 2147483647]"},
+      {"--set", "grid.cells=[46000, 46000]", "--set", "particles={spacing: 0.01 cells, layers: 3}"},
+      {"--set", "particles={spacing: 0.00001 cells, layers: 50}"}};
+  for (const std::vector<std::string>& settings : larger) {
+    CAPTURE(settings[1]);
+    const Workplace place(small_scene());
+    std::vector<std::string> all{"--set", "sand.initial.0.depth=1 cm"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    const Outcome run = place.run(all);
+    CHECK(run.code == 4);
+    for (const char* part : {"need about", "of memory", "of output", "are available here", "What would fit: about"}) {
+      CHECK(contains(run.err, part));
+    }
+    CHECK_FALSE(fs::exists(place.results));
+    all.insert(all.begin(), {"check", place.scene.string()});
+    const Outcome check = call(all);
+    CHECK(check.code == 4);
+    CHECK(check.err == run.err);
+    CHECK(contains(check.out, "memory "));
+    CHECK(contains(check.out, "output "));
+    CHECK_FALSE(contains(check.out, "valid"));
+  }
+}
+
+TEST_CASE("check looks at the sizes alone of a scene that takes more than a gigabyte") {
+  const Workplace place(small_scene());
+  // 32 bytes a cell and three frames of three fields: 2 GB of 3e7 cells.
+  const Outcome outcome = call({"check", place.scene.string(), "--set", "grid.cells=[6000, 5000]"});
+  INFO(outcome.err);
+  if (outcome.code == 4) {
+    WARN("skipped: this machine lacks the memory");
     return;
   }
-  const Outcome outcome =
-      Workplace(small_scene())
-          .run({"--set", "grid.cells=[46000, 46000]", "--set", "sand.initial.0.depth=1 cm", "--precision", "float64"});
-  INFO(outcome.err);
-  CHECK(outcome.code == 4);
-  CHECK(contains(outcome.err, "memory"));
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "scene is valid; what it puts on its grid was not looked at"));
+  CHECK_FALSE(contains(outcome.out, "steps  "));
 }
 
 TEST_CASE("a resume without a checkpoint exits 3 and leaves no directory") {
@@ -234,6 +262,20 @@ TEST_CASE("check prints the resolved scene and its needs and writes nothing") {
     CHECK(contains(outcome.out, part));
   }
   CHECK_FALSE(fs::exists(place.results));
+}
+
+TEST_CASE("check prints the bed in the corners of the grid") {
+  const Workplace place(small_scene());
+  // Falls by 1 m a metre along x, and stays level along y: a centre is half a cell from the corner.
+  const Outcome outcome =
+      call({"check", place.scene.string(), "--set", "terrain={type: plane, inclination: 45 deg, elevation: 3 m}",
+            "--set", "grid={cells: [20, 10], spacing: 0.1 m, origin: [4567000 m, 200 m]}", "--set",
+            "sand.initial={type: layer, depth: 1 cm}"});
+  INFO(outcome.err);
+  CHECK(contains(outcome.out,
+                 "bed      south-west 2.95 m at (4567000.05, 200.05); south-east 1.05 m at (4567001.95, "
+                 "200.05)\n         north-west 2.95 m at (4567000.05, 200.95); north-east 1.05 m at "
+                 "(4567001.95, 200.95)\n"));
 }
 
 TEST_CASE("the resolved scene gives the same result again") {

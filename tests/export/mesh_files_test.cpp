@@ -33,7 +33,7 @@ std::vector<Number> vtp_array(const std::string& bytes, const std::string& name)
 
 VisibleParticles three_particles() {
   VisibleParticles particles;
-  particles.positions = {{0.5F, 1.5F, 2.5F}, {-1.0F, 0.0F, 0.25F}, {8.0F, 9.0F, 10.0F}};
+  particles.positions = {{4567000.015625, 1.5, 2.5}, {-1.0, 0.0, 0.25}, {8.0, 9.0, 10.0}};
   particles.ids = {7, 0, (std::int64_t{3} << 32) + 5};
   return particles;
 }
@@ -135,11 +135,11 @@ TEST_CASE("particles are a point cloud with ids") {
   CHECK(vtp_array<std::int64_t>(vtp, "id") == particles.ids);
   CHECK(vtp_array<std::int64_t>(vtp, "connectivity") == std::vector<std::int64_t>{0, 1, 2});
   CHECK(vtp_array<std::int64_t>(vtp, "offsets") == std::vector<std::int64_t>{1, 2, 3});
-  const std::vector<float> points = vtp_array<float>(vtp, "points");
+  const std::vector<double> points = vtp_array<double>(vtp, "points");
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(number_at<double>(ply, data + 20 * k + 12) == static_cast<double>(particles.ids[k]));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      CHECK(number_at<float>(ply, data + 20 * k + 4 * axis) == particles.positions[k][axis]);
+      CHECK(number_at<double>(ply, data + 32 * k + 8 * axis) == particles.positions[k][axis]);
       CHECK(points[3 * k + axis] == particles.positions[k][axis]);
     }
   }

@@ -94,7 +94,7 @@ class Formats(unittest.TestCase):
     def test_particles(self):
         for data in self.data_sets():
             self.assertEqual(data["particle_position"].dims, ("time", "particle", "axis"))
-            self.assertEqual(data["particle_position"].dtype, np.float32)
+            self.assertEqual(data["particle_position"].dtype, np.float64)
             np.testing.assert_array_equal(data["particle_position"][2, 95], [95, 2, -0.5])
             np.testing.assert_array_equal(data["particle_id"][1], 2**32 + np.arange(96))
             np.testing.assert_array_equal(data["particle_visible"][0], (np.arange(96) + 1) % 2)

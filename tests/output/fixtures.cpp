@@ -94,8 +94,8 @@ Frame frame_of(const Scene& scene, std::int64_t index) {
   if (scene.particles) {
     const std::int64_t count = ParticleGrid(scene.grid, *scene.particles).count();
     for (std::int64_t k = 0; k < count; ++k) {
-      const float x = static_cast<float>(k), y = static_cast<float>(index);
-      frame.particles.position.insert(frame.particles.position.end(), {x, y, -0.5f});
+      const double x = static_cast<double>(k), y = static_cast<double>(index);
+      frame.particles.position.insert(frame.particles.position.end(), {x, y, -0.5});
       frame.particles.id.push_back((index << 32) | k);
       frame.particles.visible.push_back(k % 2 == 0 ? 1 : 0);
     }

@@ -43,7 +43,7 @@ struct Setup {
     flow([](double, double) { return 0.0; }, [](double, double) { return 0.0; });
     const std::size_t cells = grid.cell_count();
     std::fill_n(stage.sand().depth, cells, 1.0f);
-    std::fill_n(stage.sand().surface, cells, 2.0f);
+    std::fill_n(stage.sand().surface, cells, 2.0);
     stage.move(0.0);
   }
   template <class U, class V>
@@ -80,7 +80,7 @@ std::map<std::int64_t, std::size_t> by_id(const ParticleFrame& frame) {
 
 bool same(const ParticleFrame& a, const ParticleFrame& b) {
   return a.id == b.id && a.visible == b.visible && a.position.size() == b.position.size() &&
-         std::memcmp(a.position.data(), b.position.data(), a.position.size() * sizeof(float)) == 0;
+         std::memcmp(a.position.data(), b.position.data(), a.position.size() * sizeof(double)) == 0;
 }
 
 }  // namespace
@@ -92,14 +92,45 @@ TEST_CASE("At first every cell of the particles' grid holds one, somewhere withi
   CHECK(by_id(frame).size() == frame.id.size());
   for (std::size_t k = 0; k < frame.id.size(); ++k) {
     const int column = static_cast<int>(k) % 6, row = static_cast<int>(k) / 6 % 4, layer = static_cast<int>(k) / 24;
-    CHECK(static_cast<int>(frame.position[3 * k] / 0.05f) == column);
-    CHECK(static_cast<int>(frame.position[3 * k + 1] / 0.05f) == row);
-    const float below = 2.0f - frame.position[3 * k + 2];       // the surface
-    CHECK(below >= 0.05f * static_cast<float>(layer) - 1e-6f);  // rounding of a height of 2
-    CHECK(below <= 0.05f * static_cast<float>(layer + 1) + 1e-6f);
+    CHECK(static_cast<int>(frame.position[3 * k] / 0.05) == column);
+    CHECK(static_cast<int>(frame.position[3 * k + 1] / 0.05) == row);
+    const double below = 2.0 - frame.position[3 * k + 2];  // the surface
+    CHECK(below >= 0.05 * layer - 1e-15);                  // rounding of a height of 2
+    CHECK(below <= 0.05 * (layer + 1) + 1e-15);
   }
   Setup other(grid_of(3, 2), particles_of(2, 3, 1), {}, 1);
   CHECK(other.frame().position != frame.position);  // another seed
+}
+
+TEST_CASE("Far from the origin particles lie in their cells as near it") {
+  for (const double spacing : {0.01, 1.0, 10.0}) {
+    Grid near = grid_of(5, 4);
+    near.spacing = spacing;
+    Grid far = near;
+    far.origin = {4567000.0, 5234000.0};  // UTM
+    Particles particles = particles_of(2, 3);
+    particles.spacing = spacing / 2;
+    Setup here(near, particles, {}, 1), there(far, particles, {}, 1);
+    const double elevation = 2345.0;
+    std::fill_n(there.stage.sand().surface, far.cell_count(), 2.0 + elevation);
+    for (int move = 0; move < 3; ++move) {
+      for (auto* place : {&here, &there}) {
+        place->flow([&](double, double) { return 0.3 * spacing; }, [&](double, double) { return -0.2 * spacing; });
+        place->stage.move(1.0);
+      }
+      const ParticleFrame a = here.frame(), b = there.frame();
+      REQUIRE(a.id == b.id);
+      REQUIRE(a.visible == b.visible);
+      double largest = 0.0;
+      for (std::size_t k = 0; k < a.id.size(); ++k) {
+        const double shift[] = {far.origin[0], far.origin[1], elevation};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          largest = std::max(largest, std::fabs(b.position[3 * k + axis] - shift[axis] - a.position[3 * k + axis]));
+        }
+      }
+      CHECK(largest < 1e-6 * spacing);  // doubles are 1e-9 m apart at these coordinates, a tenth of this
+    }
+  }
 }
 
 TEST_CASE("In a cell that several enter the oldest stays, of those of one age the one from the first cell") {
@@ -199,8 +230,8 @@ TEST_CASE("After a thousand moves of a spinning flow the particles are even, and
   // Chi-squared over blocks that do not fit the cells: 7 x 7 of 1/7 m. Places drawn at random would give 48.
   std::vector<double> blocks(49);
   for (std::size_t k = 0; k < frame.id.size(); ++k) {
-    REQUIRE((frame.position[3 * k] >= 0.0f && frame.position[3 * k] <= 1.0f));
-    REQUIRE((frame.position[3 * k + 1] >= 0.0f && frame.position[3 * k + 1] <= 1.0f));
+    REQUIRE((frame.position[3 * k] >= 0.0 && frame.position[3 * k] <= 1.0));
+    REQUIRE((frame.position[3 * k + 1] >= 0.0 && frame.position[3 * k + 1] <= 1.0));
     const int i = std::min(6, static_cast<int>(7 * frame.position[3 * k]));
     const int j = std::min(6, static_cast<int>(7 * frame.position[3 * k + 1]));
     blocks[static_cast<std::size_t>(7 * j + i)] += 1.0;

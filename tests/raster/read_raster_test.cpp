@@ -39,21 +39,30 @@ std::string error(const std::filesystem::path& path) {
   return test::input_error([&] { read_raster(path); });
 }
 
-TEST_CASE("the extension chooses the format whatever its case") {
+TEST_CASE("the content chooses the format whatever the file is called") {
   const Folder folder;
   const std::string dictionary = "{'descr': '|u1', 'fortran_order': False, 'shape': (2,)}";
   const std::string array =
       std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(dictionary.size()) + '\0' + dictionary + "\x03\x04";
 
-  for (const auto& path : {folder.write("a.asc", grid), folder.write("a.TXT", grid), folder.write("a.npy", array)}) {
+  for (const auto& path : {folder.write("a.asc", grid), folder.write("a.TXT", grid), folder.write("a.grd", grid),
+                           folder.write("a", grid), folder.write("b.npy", array), folder.write("b.dat", array)}) {
     CHECK(read_raster(path).values == std::vector<double>{3, 4});
   }
 }
 
-TEST_CASE("an unknown extension is an error that names the known formats") {
-  const std::string known = "Known are ESRI ASCII grids (.asc, .txt) and NumPy arrays (.npy)";
-  CHECK(error("dem.tif") == "dem.tif: the format of the raster is unknown (extension \".tif\"). " + known);
-  CHECK(error("dem") == "dem: the format of the raster is unknown (extension missing). " + known);
+TEST_CASE("an unknown format is an error that names the known ones") {
+  const Folder folder;
+  const std::string path = folder.write("dem.xyz", "1 2 3\n").string();
+  CHECK(error(path) ==
+        path + ": the format of the raster is unknown. Known are ESRI ASCII grids and NumPy arrays (.npy)");
+}
+
+TEST_CASE("a name that promises a format brings the error of its reader") {
+  const Folder folder;
+  const std::string text = folder.write("a.txt", "north: 20\n").string(), array = folder.write("a.npy", grid).string();
+  CHECK(error(text).starts_with(text + ":1:1: \"north\" is no key of an ESRI ASCII header."));
+  CHECK(error(array).starts_with(array + ": this is no NumPy array"));
 }
 
 TEST_CASE("a file that is missing or a folder or not readable is an error") {

@@ -157,6 +157,23 @@ TEST_CASE("a measured file that is missing is a warning and keeps its name") {
   CHECK(warnings[0].starts_with("s.yaml:4:13: reference.measured_profile = later.csv: the file is missing"));
 }
 
+TEST_CASE("the first row of a .npy is the southern one unless first_row says north") {
+  const auto values = [](const std::string& first_row) {
+    const Scene s = read(smallest_scene + "terrain: {type: raster, file: data/heights.npy" + first_row + "}\n");
+    return std::get<RasterTerrain>(s.terrain[0]).file.data->values;  // from the south
+  };
+  const std::vector<double> as_stored{0.1, 0.2, 0.3, 0.4}, flipped{0.3, 0.4, 0.1, 0.2};
+  CHECK(values("") == as_stored);
+  CHECK(values(", first_row: south") == as_stored);
+  CHECK(values(", first_row: north") == flipped);
+
+  const Scene s = read(smallest_scene, {"sand.initial={type: raster, file: data/heights.npy, first_row: north}",
+                                        "sand.friction_angle={first_row: north, raster: data/heights.npy, unit: deg}"});
+  CHECK(std::get<SandRaster>(s.sand.initial[0]).file.data->values == flipped);
+  CHECK_THAT(std::get<RasterFile>(*s.sand.friction_angle).data->values[0],
+             Catch::Matchers::WithinRel(0.3 * M_PI / 180, 1e-15));
+}
+
 TEST_CASE("profiles and front curves are read") {
   const Scene s = read(smallest_scene + "reference: {profile: data/profile.csv, measured_front: data/front.csv}\n");
   CHECK(s.reference->profile->file == "data/profile.csv");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "solver/needs.hpp"
 #include "tests/solver/support.hpp"
 #include "tests/support/catch.hpp"
 
@@ -303,11 +304,28 @@ TEST_CASE("A run has the stages that its scene needs and no other") {
   CHECK(rich.memory_bytes > plain.memory_bytes);
 }
 
-TEST_CASE("A plan predicts frames and bytes of the run") {
-  const Scene scene = collapse(40, 10, Precision::float32);
-  const Plan predicted = plan(scene);
-  CHECK(predicted.frames == 11);
-  CHECK(predicted.output_bytes == 11 * (3 * 400 * 4 + 72));
+TEST_CASE("The needs of a scene are those of its run") {
+  Scene scene = collapse(40, 10, Precision::float32);
+  CHECK(needs_of(scene).frames == 11);
+  CHECK(needs_of(scene).output_bytes == 11 * (3 * 400 * 4 + 72));
+  scene.grid.cells = {400, 300};
+  for (const bool rich : {false, true}) {
+    if (rich) {
+      scene.output.maxima = true;
+      scene.terrain = {PlaneTerrain{0.1, 0.0, 0.0}};
+      scene.particles = Particles{};
+      scene.particles->spacing = 0.5 * scene.grid.spacing;
+    }
+    MemorySink sink;
+    const auto memory = static_cast<double>(run(scene, {}, sink).memory_bytes);
+    // The run counts halos, 2 of 300 rows and columns at each side, and the padding of rows as well.
+    CHECK(needs_of(scene).state_bytes <= memory);
+    CHECK(needs_of(scene).state_bytes >= 0.9 * memory);
+  }
+}
+
+TEST_CASE("A plan predicts the steps of the run") {
+  const Plan predicted = plan(collapse(40, 10, Precision::float32));
   CHECK(predicted.first_step > 0.0);
   CHECK(predicted.predicted_steps > 0);
 }

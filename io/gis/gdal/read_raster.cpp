@@ -117,10 +117,13 @@ bool place(GDALDatasetH dataset, const std::string& name, Raster& raster) {
                            raster.nx, raster.ny, most_raster_values));
   }
   std::array<double, 6> transform{};
-  raster.has_georeference = GDALGetGeoTransform(dataset, transform.data()) == CE_None;
-  if (!raster.has_georeference) {
-    return false;
+  if (GDALGetGeoTransform(dataset, transform.data()) != CE_None) {
+    fail(name,
+         fmt::format("the file carries no position. Assign it: gdal_translate -a_srs EPSG:32632 -a_ullr WEST NORTH "
+                     "EAST SOUTH {} placed.tif",
+                     name));
   }
+  raster.has_georeference = true;
   if (transform[2] != 0.0 || transform[4] != 0.0) {
     fail(name, fmt::format("the grid is rotated (geotransform {:.6g}). Make it north up: gdalwarp -r bilinear {} "
                            "north_up.tif",

@@ -274,7 +274,7 @@ struct ShowKernel {
   double origin_x, origin_y;  // [m]
   double spacing;             // [m] of J
   float hide_below;           // [m]
-  float* position;            // [m] x, y, z of each
+  double* position;           // [m] x, y, z of each
   std::uint8_t* visible;
 
   template <class Block>
@@ -289,16 +289,16 @@ struct ShowKernel {
       const int i1 = image_of(sx.lower + 1, sand.nx, sand.sides.x_min, sand.sides.x_max).index;
       const int j0 = image_of(sy.lower, sand.ny, sand.sides.y_min, sand.sides.y_max).index;
       const int j1 = image_of(sy.lower + 1, sand.ny, sand.sides.y_min, sand.sides.y_max).index;
-      const auto at = [&](const float* values) {
-        const float* const below = values + static_cast<std::int64_t>(j0) * sand.nx;
-        const float* const above = values + static_cast<std::int64_t>(j1) * sand.nx;
+      const auto at = [&](const auto* values) {
+        const auto* const below = values + static_cast<std::int64_t>(j0) * sand.nx;
+        const auto* const above = values + static_cast<std::int64_t>(j1) * sand.nx;
         return interpolate(sx, sy, below[i0], below[i1], above[i0], above[i1]);
       };
       const double inside = static_cast<double>(birth_offsets(particles.id[k], particles.seed).z);
       const double below = spacing * (static_cast<double>(layer) + inside);
-      position[3 * k] = static_cast<float>(origin_x + spacing * (in_x.cell + static_cast<double>(in_x.offset)));
-      position[3 * k + 1] = static_cast<float>(origin_y + spacing * (in_y.cell + static_cast<double>(in_y.offset)));
-      position[3 * k + 2] = static_cast<float>(static_cast<double>(at(sand.surface)) - below);
+      position[3 * k] = origin_x + spacing * (in_x.cell + static_cast<double>(in_x.offset));
+      position[3 * k + 1] = origin_y + spacing * (in_y.cell + static_cast<double>(in_y.offset));
+      position[3 * k + 2] = at(sand.surface) - below;
       const float depth = sand.depth[static_cast<std::int64_t>(y.cell) * sand.nx + x.cell];
       visible[k] = depth >= hide_below && below <= static_cast<double>(at(sand.depth)) ? 1 : 0;
     });

@@ -1,7 +1,8 @@
 // How particles are born, move and are shown (section 6 of the paper), one of them at a time.
 //
 // A particle lies in a cell of the grid J and knows how far from its corner, in cells: small motions are not lost in a
-// large coordinate. All is float, whatever the precision of the sand, so that every machine has the same particles.
+// large coordinate. All is float, whatever the precision of the sand, so that every machine has the same particles;
+// only where they are shown, in the coordinates and heights of the scene, is it double.
 #pragma once
 
 #include <cmath>
@@ -113,11 +114,12 @@ SANDSIM_HD Stencil stencil(const Place& place) {
 }
 
 /// Bilinear interpolation (eq. 27) of the values at four centres: at the lower y, at the upper one.
-SANDSIM_HD float interpolate(const Stencil& x, const Stencil& y, float left_below, float right_below, float left_above,
-                             float right_above) {
-  const float below = (1.0f - x.weight) * left_below + x.weight * right_below;
-  const float above = (1.0f - x.weight) * left_above + x.weight * right_above;
-  return (1.0f - y.weight) * below + y.weight * above;
+template <class T>
+SANDSIM_HD T interpolate(const Stencil& x, const Stencil& y, T left_below, T right_below, T left_above, T right_above) {
+  const T wx = static_cast<T>(x.weight), wy = static_cast<T>(y.weight);
+  const T below = (T(1) - wx) * left_below + wx * right_below;
+  const T above = (T(1) - wx) * left_above + wx * right_above;
+  return (T(1) - wy) * below + wy * above;
 }
 
 }  // namespace sandsim::particles

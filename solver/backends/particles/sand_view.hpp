@@ -13,7 +13,8 @@ struct SandView {
   ParticleVelocity kind = ParticleVelocity::averaged;
   float max_factor = 1.0f;                             // [-] bound on h/hbar
   float *velocity_x = nullptr, *velocity_y = nullptr;  // [m/s] that carries particles
-  float *depth = nullptr, *surface = nullptr;          // [m]
+  float* depth = nullptr;                              // [m]
+  double* surface = nullptr;                           // [m]
 
   /// Cell (i, j), of whose sand h flows above `bed`.
   template <class R>
@@ -24,7 +25,7 @@ struct SandView {
     velocity_x[cell] = carrying_velocity(hu, h, material, dry_depth, kind, most);
     velocity_y[cell] = carrying_velocity(hv, h, material, dry_depth, kind, most);
     depth[cell] = static_cast<float>(cover.depth(i, j, h));
-    surface[cell] = static_cast<float>(cover.surface(i, j, h, bed));
+    surface[cell] = cover.surface(i, j, h, bed);
   }
 };
 

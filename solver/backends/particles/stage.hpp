@@ -74,7 +74,8 @@ class ParticleStage {
   float *before_x_ = nullptr, *before_y_ = nullptr;  // [m/s] velocities at the last move
   ParticleView particles_;
   ParticleReport report_;
-  Array<float> sand_values_;    // velocities now and at the last move, depth and surface now
+  Array<float> sand_values_;    // velocities now and at the last move, depth now
+  Array<double> surface_;       // of the sand
   Array<Way> ways_;             // with a ring of ghost cells
   Array<float> offsets_;        // x, y, and where they move to
   Array<std::int64_t> ids_;     // now, and of those that move
@@ -82,9 +83,9 @@ class ParticleStage {
   Array<int> entered_;
   Array<MoveExtent> extent_;
   Array<std::int64_t> counts_;  // born, left
-  Array<float> positions_;      // allocated by the first capture
+  Array<double> positions_;     // allocated by the first capture
   Array<std::uint8_t> visible_;
-  HostArray<float> captured_positions_;
+  HostArray<double> captured_positions_;
   HostArray<std::int64_t> captured_ids_;
   HostArray<std::uint8_t> captured_visible_;
 };
@@ -101,10 +102,11 @@ ParticleStage<Machine>::ParticleStage(std::shared_ptr<Machine> machine, const Pa
   sand_.nx = grid.cells[0], sand_.ny = grid.cells[1], sand_.sides = sides;
   sand_.kind = particles.velocity, sand_.max_factor = static_cast<float>(particles.max_factor);
   const std::size_t cells = sand_cells();
-  sand_values_ = allocate<float>(6 * cells);
+  sand_values_ = allocate<float>(5 * cells);
+  surface_ = allocate<double>(cells);
   sand_.velocity_x = sand_values_.data(), sand_.velocity_y = sand_.velocity_x + cells;
   before_x_ = sand_.velocity_y + cells, before_y_ = before_x_ + cells;
-  sand_.depth = before_y_ + cells, sand_.surface = sand_.depth + cells;
+  sand_.depth = before_y_ + cells, sand_.surface = surface_.data();
   ways_ = allocate<Way>((static_cast<std::size_t>(sand_.nx) + 2) * (static_cast<std::size_t>(sand_.ny) + 2));
   offsets_ = allocate<float>(4 * count());
   ids_ = allocate<std::int64_t>(2 * count());
@@ -177,9 +179,9 @@ void ParticleStage<Machine>::move(double dt) {
 template <class Machine>
 void ParticleStage<Machine>::begin_capture() {
   if (positions_.size() == 0) {
-    positions_ = allocate<float>(3 * count());
+    positions_ = allocate<double>(3 * count());
     visible_ = allocate<std::uint8_t>(count());
-    captured_positions_ = HostArray<float>(*machine_, 3 * count());
+    captured_positions_ = HostArray<double>(*machine_, 3 * count());
     captured_ids_ = HostArray<std::int64_t>(*machine_, count());
     captured_visible_ = HostArray<std::uint8_t>(*machine_, count());
   }
