@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/machine.hpp"
 #include "cli/memory.hpp"
+#include "cli/object_lines.hpp"
 #include "cli/run_paths.hpp"
 #include "cli/text.hpp"
 #include "io/scene/resolved_scene.hpp"
@@ -41,7 +42,7 @@ ExitCode check_command(const CheckArguments& arguments, Console& console) {
   }
   require_memory(scene);  // The plan sets up the run, all but its steps.
   const Plan needs = plan(scene);
-  console.out << resolved_scene(scene) << '\n' << plan_lines(scene, needs);
+  console.out << resolved_scene(scene) << '\n' << plan_lines(scene, needs) << object_lines(scene);
   const double available = available_memory();
   if (available > 0.0 && static_cast<double>(needs.memory_bytes) > available) {
     console.err << "sandsim: warning: only " << format_bytes(available) << " of memory are available here\n";
