@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/memory.hpp"
+#include "cli/object_lines.hpp"
 #include "cli/run_paths.hpp"
 #include "cli/summary.hpp"
 #include "cli/text.hpp"
@@ -72,7 +73,7 @@ ExitCode check_command(const CheckArguments& arguments, Console& console) {
     console.err << "sandsim: warning: " << warning << '\n';
   }
   console.out << fmt::format("release  {}\n", release_text(built.release)) << step_line(built)
-              << bed_lines(scene.grid, built.corner_beds) << "scene is valid\n";
+              << bed_lines(scene.grid, built.corner_beds) << object_lines(scene) << "scene is valid\n";
   return ExitCode::done;
 }
 

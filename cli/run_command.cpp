@@ -94,19 +94,7 @@ void bake_objects(RunInput& input, const RunArguments& arguments, Console& conso
     console.err << fmt::format("\rsandsim: mesh of '{}': {:3.0f} % baked{}", name, 100.0 * done, done < 1.0 ? "" : "\n")
                 << std::flush;
   };
-  const auto report = [&](const std::string& name, const CachedMesh& mesh) {
-    const objects::MeshDefects& defects = mesh.baked.defects;
-    if (!defects.is_closed()) {
-      input.warnings.push_back(
-          fmt::format("the mesh of '{}' is not closed: {} open and {} non-manifold edges; holes "
-                      "are taken as closed where half of the view is blocked",
-                      name, defects.open_edges, defects.non_manifold_edges));
-      if (!arguments.quiet) {
-        console.err << "sandsim: warning: " << input.warnings.back() << '\n';
-      }
-    }
-  };
-  bake_meshes(input.scene, fs::absolute(input.directory).parent_path(), report,
+  bake_meshes(input.scene, fs::absolute(input.directory).parent_path(), {},
               shows ? progress : std::function<void(const std::string&, double)>{});
 }
 

@@ -8,6 +8,7 @@
 
 #include "solver/grid_problems.hpp"
 #include "solver/objects/distance_grid.hpp"
+#include "solver/objects/inspection.hpp"
 #include "solver/objects/mesh.hpp"
 #include "solver/objects/object.hpp"
 
@@ -235,6 +236,17 @@ void check_terrain(const KinematicObject& object, const std::string& key, Issues
   }
 }
 
+/// An object that never moves has to cover the centre of a cell: the cells see nothing else of it.
+void check_coverage(const Scene& scene, const KinematicObject& object, const std::string& key, Issues& issues) {
+  if (!std::holds_alternative<FixedMotion>(object.motion) || objects::covered_cells(object, scene.grid, 1) > 0) return;
+  issues.push_back({key,
+                    "it covers no centre of a cell and so does nothing",
+                    "it is " + number_text(objects::narrowest_width(object, scene.grid)) +
+                        " m wide at its narrowest and the cells " + number_text(scene.grid.spacing) + " m",
+                    "Make it wider than a cell, move it onto the centres of cells, or make grid.spacing finer.",
+                    {"grid"}});
+}
+
 void check_object(const Scene& scene, const KinematicObject& object, const std::string& key, Issues& issues) {
   const std::size_t before = issues.size();
   std::visit(ShapeChecks{key + ".shape", issues}, object.shape);
@@ -242,8 +254,9 @@ void check_object(const Scene& scene, const KinematicObject& object, const std::
   check_rotation(key + ".rotation", object.rotation, issues);
   check_times(scene, object, key, issues);
   check_terrain(object, key, issues);
-  if (issues.size() == before && is_read(object.shape) && is_read(object.motion))
-    check_place(scene, object, key, issues);
+  if (issues.size() > before || !is_read(object.shape) || !is_read(object.motion)) return;
+  check_place(scene, object, key, issues);
+  if (issues.size() == before) check_coverage(scene, object, key, issues);
 }
 
 }  // namespace

@@ -17,22 +17,14 @@ using Words = std::array<std::pair<std::string_view, Value>, N>;
 constexpr Words<PlyFormat, 3> formats{{{"ascii", PlyFormat::ascii},
                                        {"binary_little_endian", PlyFormat::little_endian},
                                        {"binary_big_endian", PlyFormat::big_endian}}};
-constexpr Words<PlyType, 16> types{{{"char", PlyType::int8},
-                                    {"int8", PlyType::int8},
-                                    {"uchar", PlyType::uint8},
-                                    {"uint8", PlyType::uint8},
-                                    {"short", PlyType::int16},
-                                    {"int16", PlyType::int16},
-                                    {"ushort", PlyType::uint16},
-                                    {"uint16", PlyType::uint16},
-                                    {"int", PlyType::int32},
-                                    {"int32", PlyType::int32},
-                                    {"uint", PlyType::uint32},
-                                    {"uint32", PlyType::uint32},
-                                    {"float", PlyType::float32},
-                                    {"float32", PlyType::float32},
-                                    {"double", PlyType::float64},
-                                    {"float64", PlyType::float64}}};
+constexpr Words<PlyType, 20> types{
+    {{"char", PlyType::int8},      {"int8", PlyType::int8},      {"uchar", PlyType::uint8},
+     {"uint8", PlyType::uint8},    {"short", PlyType::int16},    {"int16", PlyType::int16},
+     {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},  {"int", PlyType::int32},
+     {"int32", PlyType::int32},    {"uint", PlyType::uint32},    {"uint32", PlyType::uint32},
+     {"long", PlyType::int64},     {"int64", PlyType::int64},    {"ulong", PlyType::uint64},
+     {"uint64", PlyType::uint64},  {"float", PlyType::float32},  {"float32", PlyType::float32},
+     {"double", PlyType::float64}, {"float64", PlyType::float64}}};
 
 /// The next word of the line, which is one of `words`.
 template <class Value, std::size_t N>

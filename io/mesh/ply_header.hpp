@@ -11,7 +11,7 @@
 namespace sandsim {
 
 enum class PlyFormat { ascii, little_endian, big_endian };
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 struct PlyProperty {
   std::string name;

@@ -12,9 +12,28 @@
 
 namespace sandsim {
 
-void add_polygon(objects::TriangleMesh& mesh, const std::vector<std::uint32_t>& corners) {
-  for (std::size_t k = 2; k < corners.size(); ++k) {
-    mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+void add_polygon(objects::TriangleMesh& mesh, std::span<const std::uint32_t> corners) {
+  if (corners.size() < 3) return;
+  const std::size_t middle = corners.size() / 2;
+  add_polygon(mesh, corners.first(middle + 1));
+  mesh.triangles.push_back({corners.front(), corners[middle], corners.back()});
+  add_polygon(mesh, corners.subspan(middle));
+}
+
+void OddParts::settle(objects::TriangleMesh& mesh, Warnings* warnings,
+                      const std::function<std::string(std::string_view, const std::string&)>& describe) const {
+  if (faces_ > 0) {
+    const std::string what = "a face with fewer than three corners is left out";
+    warn(warnings, describe(first_face_, faces_ == 1 ? what : fmt::format("{}, as are {} more", what, faces_ - 1)));
+  }
+  if (vertices_.empty()) return;
+  std::vector<bool> is_used(mesh.vertices.size(), false);
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) is_used[corner] = true;
+  }
+  for (const auto& [vertex, place] : vertices_) {
+    if (is_used[vertex]) throw InputError(describe(place, "a vertex of a face is not finite"));
+    mesh.vertices[vertex] = {};
   }
 }
 
@@ -22,7 +41,7 @@ void require_triangles(const objects::TriangleMesh& mesh, const std::string& nam
   if (mesh.triangles.empty()) throw InputError(fmt::format("{}: the file holds no triangle", name));
 }
 
-objects::TriangleMesh read_mesh(const std::filesystem::path& path) {
+objects::TriangleMesh read_mesh(const std::filesystem::path& path, Warnings* warnings) {
   constexpr std::size_t most_bytes = std::size_t{1} << 31;
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -36,7 +55,7 @@ objects::TriangleMesh read_mesh(const std::filesystem::path& path) {
                                  path.string(), extension.empty() ? "missing" : in_quotes(extension)));
   }
   try {
-    return read(read_file_bytes(path, most_bytes), path.string());
+    return read(read_file_bytes(path, most_bytes), path.string(), warnings);
   } catch (const std::bad_alloc&) {
     throw DeviceError(fmt::format("{}: the mesh does not fit into memory", path.string()));
   }

@@ -66,9 +66,13 @@ std::string read_file_bytes(const std::filesystem::path& path, std::size_t most_
   return bytes;
 }
 
-void SourceText::fail(std::string_view where, const std::string& message) const {
+std::string SourceText::at(std::string_view where, const std::string& message) const {
   const auto offset = static_cast<std::size_t>(where.data() - text_.data());
-  throw InputError(fmt::format("{}:{}: {}", name_, location(text_, std::min(offset, text_.size())), message));
+  return fmt::format("{}:{}: {}", name_, location(text_, std::min(offset, text_.size())), message);
+}
+
+void SourceText::fail(std::string_view where, const std::string& message) const {
+  throw InputError(at(where, message));
 }
 
 void SourceText::fail_at_end(const std::string& message) const {

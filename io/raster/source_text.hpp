@@ -23,7 +23,9 @@ class SourceText {
 
   /// Throws InputError "name:line:col: message"; `where` is a part of text(), lines and columns (bytes) count from 1.
   [[noreturn]] void fail(std::string_view where, const std::string& message) const;
-  /// The same, pointing just behind the last visible character.
+  /// "name:line:col: message", for a warning.
+  std::string at(std::string_view where, const std::string& message) const;
+  /// As fail(), pointing just behind the last visible character.
   [[noreturn]] void fail_at_end(const std::string& message) const;
 
  private:

@@ -93,7 +93,7 @@ void describe(V& v, CsgShape& s) {
 template <class V>
 void describe(V& v, MeshShape& s) {
   v.field("file", s.file, file().required().like("car.obj"),
-          "OBJ, STL or PLY; a relative name is relative to the scene file.");
+          "OBJ, STL or PLY; a relative name is relative to the scene file. Faces that look inwards are turned.");
   v.field("unit", s.unit, choice(), "Unit of the coordinates in the file.");
   v.field("scale", s.scale, number().above(0), "Factor on the coordinates.");
   v.field("resolution", s.resolution, number().at_least(objects::least_resolution).at_most(objects::most_resolution),
@@ -103,10 +103,9 @@ void describe(V& v, MeshShape& s) {
 
 template <class V>
 void describe(V& v, SdfShape& s) {
-  v.field(
-      "file", s.file, file().required().like("car.sdf"),
-      "SDFGen's .sdf, or .npy or .h5 (distance) with the dimensions z, y, x; a relative name is relative to the scene "
-      "file.");
+  v.field("file", s.file, file().required().like("car.sdf"),
+          "SDFGen's .sdf, or .npy or .h5 (distance) with the dimensions z, y, x, negative inside; a relative name is "
+          "relative to the scene file.");
   v.field("spacing", s.spacing, length().above(0).like("1 mm"),
           "Distance of the samples, if the file does not know it.");
   v.field("origin", s.origin, length().like("[0 m, 0 m, 0 m]"),

@@ -15,6 +15,8 @@
 #include "io/scene/fill_values.hpp"
 #include "io/scene/value_text.hpp"
 #include "solver/errors.hpp"
+#include "solver/objects/distance_grid.hpp"
+#include "solver/objects/mesh.hpp"
 
 namespace sandsim {
 
@@ -85,14 +87,23 @@ void Reading::complain_at(const std::string& path, const Complaint& complaint) {
     complain(*found->second, path, complaint);
     return;
   }
-  Position position{1, 1, -1};
+  complain_key(place_of(path), path, complaint);
+}
+
+void Reading::warn_at(const std::string& path, const Complaint& complaint) {
+  if (const auto found = given_.find(path); found != given_.end()) {
+    warn(*found->second, path, complaint);
+  } else if (warnings_ != nullptr) {
+    warnings_->push_back(problems_.format(place_of(path), as_written(path), complaint));
+  }
+}
+
+Position Reading::place_of(const std::string& path) const {
   for (std::size_t dot = path.rfind('.'); dot != std::string::npos && dot > 0; dot = path.rfind('.', dot - 1)) {
     const auto found = given_.find(path.substr(0, dot));
-    if (found == given_.end()) continue;
-    position = found->second->position;
-    break;
+    if (found != given_.end()) return found->second->position;
   }
-  complain_key(position, path, complaint);
+  return {1, 1, -1};
 }
 
 bool Reading::expect(const Node& node, const std::string& path, Node::Kind kind, const std::string& like) {
@@ -345,7 +356,7 @@ void Reading::parse(const Node& node, const std::string& path, MeshFile& target,
   auto mesh = std::make_shared<objects::TriangleMesh>();
   if (const std::filesystem::path full = find_file(node, path, rule); !full.empty()) {
     try {
-      *mesh = read_mesh(full);
+      read_mesh_file(full, node, path, *mesh);
     } catch (const InputError& error) {
       complain_input(node, path, {"the mesh cannot be read", error.what(), ""});
     }
@@ -353,11 +364,59 @@ void Reading::parse(const Node& node, const std::string& path, MeshFile& target,
   target = {node.text, std::move(mesh), nullptr};
 }
 
+void Reading::read_mesh_file(const std::filesystem::path& full, const Node& node, const std::string& path,
+                             objects::TriangleMesh& mesh) {
+  Warnings odd;
+  mesh = read_mesh(full, &odd);
+  for (const std::string& what : odd) warn(node, path, {"the file of the mesh is odd", what, ""});
+  objects::RepairedMesh repaired = objects::repair(mesh);
+  if (repaired.mesh.triangles.empty()) return;  // check() knows that this is no surface
+  mesh = std::move(repaired.mesh);
+  const objects::MeshDefects& defects = repaired.defects;
+  if (defects.flipped_triangles > 0) {
+    const bool is_mirrored = defects.flipped_triangles == mesh.triangles.size();
+    warn(node, path,
+         {is_mirrored ? "the mesh is inside out" : "some triangles of the mesh look inwards",
+          std::to_string(defects.flipped_triangles) + " of " + std::to_string(mesh.triangles.size()) +
+              " triangles are turned round",
+          is_mirrored ? "Was it mirrored by the program that wrote it?" : ""});
+  }
+  if (!defects.is_closed()) {
+    warn(node, path,
+         {"the mesh is not closed",
+          std::to_string(defects.open_edges) + " open and " + std::to_string(defects.non_manifold_edges) +
+              " non-manifold edges; holes are taken as closed where half of the view is blocked",
+          ""});
+  }
+}
+
+void Reading::check_sign(objects::DistanceGrid& grid, const Node& node, const std::string& path) {
+  const objects::Rim rim = objects::rim_of(grid);
+  if (rim.inside == 0) return;
+  const bool is_enclosed = rim.outside == 0;  // nothing can be inside all round its own border
+  if (is_enclosed && std::none_of(grid.values.begin(), grid.values.end(), [](float value) { return value > 0.0F; })) {
+    complain(node, path,
+             {"no sample is outside", "distances are negative inside, and all of these are", "Turn their sign."});
+  } else if (is_enclosed) {
+    for (float& value : grid.values) value = -value;
+    warn(node, path,
+         {"the signed distances are positive inside",
+          "they are negative all round the border of their box; negative is inside here", "Their sign is turned."});
+  } else if (2 * rim.inside > rim.samples) {
+    warn(node, path,
+         {"most of the samples on the border of their box are inside",
+          std::to_string(rim.inside) + " of " + std::to_string(rim.samples) +
+              " are negative, and negative is inside; the sign is kept, since some are outside",
+          "Are they positive inside? Then turn their sign."});
+  }
+}
+
 void Reading::parse(const Node& node, const std::string& path, SdfFile& target, const Rule& rule) {
   auto grid = std::make_shared<objects::DistanceGrid>();
   if (const std::filesystem::path full = find_file(node, path, rule); !full.empty()) {
     try {
       *grid = read_sdf(full);
+      check_sign(*grid, node, path);
     } catch (const InputError& error) {
       complain_input(node, path, {"the signed distance cannot be read", error.what(), ""});
     }

@@ -58,6 +58,8 @@ class Reading {
   bool failed(const std::string& path) const;
   /// Reports a problem of the scene as a whole at the place of its key, or of the nearest map around it.
   void complain_at(const std::string& path, const Complaint& complaint);
+  /// A warning there.
+  void warn_at(const std::string& path, const Complaint& complaint);
 
  private:
   void warn(const Node& node, const std::string& path, const Complaint& complaint);
@@ -71,6 +73,13 @@ class Reading {
   void parse_zones(const Node& node, const std::string& path, ScalarMap& target, const Rule& rule);
   template <class Table, class Read>
   void parse_table(const Node& node, const std::string& path, Table& target, const Rule& rule, Read read);
+  /// Reads a mesh, puts right what can be, and says so.
+  void read_mesh_file(const std::filesystem::path& full, const Node& node, const std::string& path,
+                      objects::TriangleMesh& mesh);
+  /// Distances that are negative all round their border are turned, or complained about.
+  void check_sign(objects::DistanceGrid& grid, const Node& node, const std::string& path);
+  /// Where a path was given: its value, or the nearest map around it.
+  Position place_of(const std::string& path) const;
   std::string as_written(std::string path) const;
 
   Problems& problems_;

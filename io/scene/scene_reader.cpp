@@ -7,6 +7,7 @@
 #include "io/scene/parameters.hpp"
 #include "io/scene/yaml_tree.hpp"
 #include "solver/checks.hpp"
+#include "solver/objects/inspection.hpp"
 
 namespace sandsim {
 
@@ -54,6 +55,11 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
     describe(members, scene);
     members.finish();
     report_issues(scene, reading);
+    if (problems.empty()) {
+      for (const Issue& issue : objects::thin_objects(scene)) {
+        reading.warn_at(issue.key, {issue.problem, issue.why, issue.suggestion});
+      }
+    }
   }
   problems.throw_if_any();
   return scene;

@@ -12,10 +12,14 @@ namespace {
 /// Spacings between the mesh and the grid's sides: gradients near the surface have samples on both sides.
 constexpr int margin = 2;
 
+double spacing_of(const Vec3& size, int resolution) {
+  return std::max({size.x, size.y, size.z}) / (resolution - 1 - 2 * margin);
+}
+
 DistanceGrid empty_grid(const Bounds& box, int resolution) {
   const Vec3 size = box.high - box.low;
   DistanceGrid grid;
-  grid.spacing = std::max({size.x, size.y, size.z}) / (resolution - 1 - 2 * margin);
+  grid.spacing = spacing_of(size, resolution);
   const auto points = [&](double side) {
     // A side that is a whole number of spacings, to rounding, needs no sample more.
     return static_cast<int>(std::ceil(side / grid.spacing - 1e-9)) + 1 + 2 * margin;
@@ -130,6 +134,11 @@ class Signs {
 };
 
 }  // namespace
+
+double sample_spacing(const TriangleMesh& mesh, int resolution) {
+  const Bounds box = bounds(mesh);
+  return spacing_of(box.high - box.low, resolution);
+}
 
 BakedMesh bake(const TriangleMesh& mesh, int resolution, const std::function<void(double)>& progress) {
   if (resolution < least_resolution || resolution > most_resolution) {

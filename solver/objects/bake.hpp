@@ -12,6 +12,9 @@ namespace sandsim::objects {
 inline constexpr int least_resolution = 16;
 inline constexpr int most_resolution = 512;
 
+/// Distance of the samples, in units of the mesh.
+double sample_spacing(const TriangleMesh& mesh, int resolution);
+
 struct BakedMesh {
   DistanceGrid grid;
   MeshDefects defects;

@@ -10,6 +10,22 @@ DistanceGrid scaled(const DistanceGrid& grid, double factor) {
   return result;
 }
 
+Rim rim_of(const DistanceGrid& grid) {
+  Rim rim;
+  const DistanceGridView g = view(grid);
+  for (int k = 0; k < g.nz; ++k) {
+    for (int j = 0; j < g.ny; ++j) {
+      const bool is_whole_row = k == 0 || k == g.nz - 1 || j == 0 || j == g.ny - 1;
+      for (int i = 0; i < g.nx; i += is_whole_row ? 1 : g.nx - 1) {
+        ++rim.samples;
+        rim.inside += g.at(i, j, k) < 0.0 ? 1 : 0;
+        rim.outside += g.at(i, j, k) > 0.0 ? 1 : 0;
+      }
+    }
+  }
+  return rim;
+}
+
 Bounds inside_bounds(const DistanceGrid& grid) {
   Bounds inside;
   const DistanceGridView g = view(grid);

@@ -24,6 +24,14 @@ DistanceGrid scaled(const DistanceGrid& grid, double factor);
 /// The box around the part that is inside: all cells with a negative corner. Empty if there is none.
 Bounds inside_bounds(const DistanceGrid& grid);
 
+/// Samples on the sides of the grid's box, by what they are.
+struct Rim {
+  std::size_t samples = 0;
+  std::size_t inside = 0;   // negative
+  std::size_t outside = 0;  // positive
+};
+Rim rim_of(const DistanceGrid& grid);
+
 /// View of a grid that kernels take by value.
 struct DistanceGridView {
   int nx = 0;

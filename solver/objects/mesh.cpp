@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "solver/objects/turn_outwards.hpp"
+
 namespace sandsim::objects {
 
 namespace {
@@ -92,10 +94,13 @@ double area(const TriangleMesh& mesh, const Triangle& t) {
   return 0.5 * length(cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a));
 }
 
-/// Turns the triangles of every connected piece to agree, the way that turns the smaller part of its area.
-void orient(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& joined, MeshDefects& defects) {
+/// Turns the triangles of every connected piece to agree, the way that turns the smaller part of its area. Returns the
+/// piece that each triangle belongs to.
+std::vector<std::uint32_t> align(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& joined) {
   enum class Turn : char { unknown, keep, flip };
   std::vector<Turn> turns(mesh.triangles.size(), Turn::unknown);
+  std::vector<std::uint32_t> pieces(mesh.triangles.size());
+  std::uint32_t count = 0;
   for (std::uint32_t seed = 0; seed < turns.size(); ++seed) {
     if (turns[seed] != Turn::unknown) continue;
     std::vector<std::uint32_t> piece{seed};
@@ -113,11 +118,12 @@ void orient(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& joine
     }
     const Turn to_flip = flipped > kept ? Turn::keep : Turn::flip;
     for (const std::uint32_t t : piece) {
-      if (turns[t] != to_flip) continue;
-      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-      ++defects.flipped_triangles;
+      pieces[t] = count;
+      if (turns[t] == to_flip) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
     }
+    ++count;
   }
+  return pieces;
 }
 
 }  // namespace
@@ -135,11 +141,29 @@ bool has_area(const TriangleMesh& mesh) {
                      [&](const Triangle& t) { return area(mesh, t) > 0.0; });
 }
 
+double signed_volume(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  const Vec3 from = bounds(mesh).low;  // near the mesh, so that far from the origin no digits cancel
+  for (const Triangle& t : mesh.triangles) {
+    sum += dot(mesh.vertices[t[0]] - from, cross(mesh.vertices[t[1]] - from, mesh.vertices[t[2]] - from)) / 6.0;
+  }
+  return sum;
+}
+
+double surface_area(const TriangleMesh& mesh) {
+  return std::accumulate(mesh.triangles.begin(), mesh.triangles.end(), 0.0,
+                         [&](double sum, const Triangle& t) { return sum + area(mesh, t); });
+}
+
 RepairedMesh repair(const TriangleMesh& mesh) {
   RepairedMesh result;
   result.mesh = welded(mesh, result.defects.degenerate_triangles);
-  const std::vector<std::vector<Neighbour>> joined = neighbours(result.mesh.triangles, result.defects);
-  orient(result.mesh, joined, result.defects);
+  const std::vector<Triangle> given = result.mesh.triangles;
+  const std::vector<std::uint32_t> pieces = align(result.mesh, neighbours(given, result.defects));
+  turn_outwards(result.mesh, pieces);
+  for (std::size_t t = 0; t < given.size(); ++t) {
+    result.defects.flipped_triangles += given[t] == result.mesh.triangles[t] ? 0 : 1;
+  }
   return result;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "io/mesh/read_mesh.hpp"
@@ -53,13 +54,42 @@ TEST_CASE("a binary STL file of the wrong length is an error") {
   CHECK(error(binary(1e9, one)) ==
         "a.stl: byte 80: 1000000000 triangles are announced, which makes 50000000084 bytes, but the file has 134 "
         "(truncated?)");
-  CHECK(error(binary(1, one) + "x") ==
-        "a.stl: byte 80: 1 triangles are announced, which makes 134 bytes, but the file has 135 (too many)");
+  CHECK(error(binary(0, one) + "x") ==
+        "a.stl: byte 80: 0 triangles are announced, which makes 84 bytes, but the file has 135 (too many)");
   CHECK(error("abc") ==
         "a.stl: neither an ASCII STL file (it does not start with solid) nor a binary one (3 bytes; its header alone "
         "has 84)");
   CHECK(error("") == "a.stl: the file is empty");
   CHECK(error(binary(0, {})) == "a.stl: the file holds no triangle");
+}
+
+TEST_CASE("binary STL files that announce none or fewer of their triangles are read and that is said") {
+  Warnings warnings;
+  CHECK(read_stl(binary(0, one), "a.stl", &warnings).triangles.size() == 1);
+  CHECK(read_stl(binary(1, one) + "material", "a.stl", &warnings).triangles.size() == 1);
+  CHECK(warnings == Warnings{"a.stl: byte 80: no triangle is announced, but 1 follow: they are read",
+                             "a.stl: byte 134: 8 bytes behind the 1 triangles that are announced are not read"});
+}
+
+TEST_CASE("ASCII STL files with odd ends are read and that is said") {
+  const std::string start = "solid x\n" + facet;
+  Warnings warnings;
+  for (const std::string end : {"end solid x\n", "endsolid\nend"}) {
+    CHECK(read_stl(start + end, "a.stl", &warnings).triangles.size() == 1);
+  }
+  CHECK(read_stl(start, "a.stl", &warnings).triangles.size() == 1);
+  CHECK(read_stl(start + "endsolid x\n\x1A", "a.stl", &warnings).triangles.size() == 1);
+  CHECK(warnings == Warnings{"a.stl:10:1: \"end\" behind the last solid: the rest of the file is not read",
+                             "a.stl: the file ends without endsolid (truncated?)",
+                             "a.stl:10:1: \"\\x1a\" behind the last solid: the rest of the file is not read"});
+}
+
+TEST_CASE("normals of STL are not judged, and marks and line ends of other systems are passed") {
+  std::string text = "\xEF\xBB\xBFsolid x\n" + facet + "endsolid x\n";
+  text.replace(text.find("0 0 1"), 5, "nan -1.#IND x");
+  CHECK(read(text).triangles.size() == 1);
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  CHECK(read(text).triangles.size() == 1);
 }
 
 TEST_CASE("coordinates of STL that are not finite are errors") {
@@ -71,11 +101,10 @@ TEST_CASE("coordinates of STL that are not finite are errors") {
 
 TEST_CASE("ASCII STL files that are damaged are errors") {
   const std::string whole = "solid\n" + facet + "endsolid\n";
-  CHECK(error("solid\n" + facet) == "a.stl:8:9: the file ends where endsolid should be (truncated?)");
+  CHECK(error("solid\n") == "a.stl:1:6: the file ends where facet should be (truncated?)");
   CHECK(error(whole.substr(0, 50)) == "a.stl:4:13: the file ends where z should be (truncated?)");
   CHECK(error("solid\nfacet\n") == "a.stl:2:6: the file ends where normal should be (truncated?)");
   CHECK(error("solid\nfacet normal 0 0 1 loop\n") == "a.stl:2:20: \"loop\" where outer should be");
   CHECK(error("solid\nface\n") == "a.stl:2:1: \"face\" where facet or endsolid should be");
-  CHECK(error(whole + "facet") == "a.stl:10:1: \"facet\" where solid should be");
   CHECK(error("solid\nendsolid\n") == "a.stl: the file holds no triangle");
 }

@@ -94,10 +94,49 @@ TEST_CASE("flipped triangles are turned round") {
   CHECK(compare(baked.grid, unit_sphere, 3e-3).wrong_signs == 0);
 }
 
-TEST_CASE("a mesh that is inside out has negative winding and nothing inside") {
+TEST_CASE("a mesh that is inside out is turned") {
   TriangleMesh mesh = sphere_mesh(1.0, 30);
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  CHECK(inside_bounds(bake(mesh, 16).grid).empty());
+  const RepairedMesh repaired = repair(mesh);
+  CHECK(repaired.defects.flipped_triangles == repaired.mesh.triangles.size());
+  CHECK(compare(bake(mesh, 24).grid, unit_sphere, 3e-2).wrong_signs == 0);
+}
+
+TEST_CASE("of faces that look both ways those that look inwards are turned") {
+  TriangleMesh mesh = box_mesh({1, 1, 1});
+  for (std::size_t t = 0; t < 8; ++t) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  const RepairedMesh repaired = repair(mesh);
+  CHECK(repaired.defects.flipped_triangles == 8);
+  CHECK_THAT(signed_volume(repaired.mesh), WithinRel(1.0, 1e-15));
+}
+
+TEST_CASE("parts inside a mesh that is turned are turned with it") {
+  // A cube of 4, in it a cavity of 2, in it a cube of 1; beside it a cube of 1 that is inside out alone.
+  TriangleMesh cavity = box_mesh({2, 2, 2});
+  for (auto& t : cavity.triangles) std::swap(t[1], t[2]);
+  TriangleMesh mesh = box_mesh({4, 4, 4});
+  append(mesh, cavity);
+  append(mesh, box_mesh({1, 1, 1}));
+  CHECK(repair(mesh).defects.flipped_triangles == 0);
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  TriangleMesh beside = box_mesh({1, 1, 1});
+  for (auto& v : beside.vertices) v.x += 9;
+  for (auto& t : beside.triangles) std::swap(t[1], t[2]);
+  append(mesh, beside);
+  const RepairedMesh repaired = repair(mesh);
+  CHECK(repaired.defects.flipped_triangles == 4 * 12);
+  // 64 - 8 + 1 + 1
+  CHECK_THAT(signed_volume(repaired.mesh), WithinRel(58.0, 1e-14));
+}
+
+TEST_CASE("a mesh with a hole that is inside out is turned and a sheet is not") {
+  TriangleMesh mesh = box_mesh({1, 1, 1});
+  mesh.triangles.resize(10);  // no lid
+  CHECK(repair(mesh).defects.flipped_triangles == 0);
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  CHECK(repair(mesh).defects.flipped_triangles == 10);
+  const TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1e-4}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  CHECK(repair(sheet).defects.flipped_triangles == 0);
 }
 
 TEST_CASE("a small hole changes signs only next to it") {

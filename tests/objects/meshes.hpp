@@ -38,6 +38,17 @@ inline TriangleMesh sphere_mesh(double radius, int n, const objects::Vec3& cente
   });
 }
 
+/// About the origin; the last two triangles are the lid.
+inline TriangleMesh box_mesh(const objects::Vec3& size) {
+  TriangleMesh mesh;
+  for (int k = 0; k < 8; ++k) {
+    mesh.vertices.push_back({(k % 2 - 0.5) * size.x, (k / 2 % 2 - 0.5) * size.y, (k / 4 - 0.5) * size.z});
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                    {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {4, 5, 7}, {4, 7, 6}};
+  return mesh;
+}
+
 inline TriangleMesh torus_mesh(double large, double small, int n) {
   return surface(n, n, true, [=](double u, double v) {
     const double phi = 2 * std::numbers::pi * u;

@@ -1,3 +1,5 @@
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "solver/objects/distance_grid.hpp"
@@ -88,6 +90,87 @@ TEST_CASE("the files of meshes and signed distances are read with the scene") {
   CHECK_THAT(column(tetrahedron, 0.002, 0.003).items[0].to, WithinAbs(0.005, 1e-4));
   const objects::Object cross(s.objects[1], s.grid.spacing);
   REQUIRE(column(cross, 0.01, 0.01).count == 1);
+}
+
+namespace {
+
+/// A cube of 4 cm about the origin as OBJ, and what reading a scene with it warns about.
+std::string box_text(bool is_inside_out, double x) {
+  std::string text;
+  for (int k = 0; k < 8; ++k) {
+    text += "v " + std::to_string((k % 2 - 0.5) * x) + " " + std::to_string((k / 2 % 2 - 0.5) * 4) + " " +
+            std::to_string((k / 4 - 0.5) * 4) + "\n";
+  }
+  for (const std::string face : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"}) {
+    text += "f " + (is_inside_out ? std::string(face.rbegin(), face.rend()) : face) + "\n";
+  }
+  return text;
+}
+
+std::vector<std::string> warnings_of(const std::filesystem::path& file, const std::string& content,
+                                     const std::string& shape, const std::string& more = "", Scene* scene = nullptr) {
+  std::ofstream(file) << content;
+  std::vector<std::string> warnings;
+  const Scene s = read(smallest_scene + "objects:\n  - {name: a, position: [10 cm, 0 m, 0 m], shape: {" + shape +
+                           ", file: " + file.string() + "}" + more + "}\n",
+                       {}, &warnings);
+  if (scene != nullptr) *scene = s;
+  std::filesystem::remove(file);
+  return warnings;
+}
+
+}  // namespace
+
+TEST_CASE("a mesh that is inside out is turned with a warning that names its place") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "sandsim_inside_out.obj";
+  CHECK(warnings_of(file, box_text(false, 4), "type: mesh, unit: cm").empty());
+  const std::vector<std::string> warnings = warnings_of(file, box_text(true, 4), "type: mesh, unit: cm");
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].starts_with("s.yaml:5:"));
+  CHECK(warnings[0].find("the mesh is inside out (12 of 12 triangles are turned round)") != std::string::npos);
+}
+
+TEST_CASE("what is odd about a mesh's file is said") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "sandsim_odd.obj";
+  const auto warnings = warnings_of(file, box_text(false, 4) + "f 1 2\n", "type: mesh, unit: cm");
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find(".obj:15:1: a face with fewer than three corners is left out") != std::string::npos);
+}
+
+TEST_CASE("a moving object that is thin is warned about and a fixed one without effect is refused") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "sandsim_thin.obj";
+  const std::string moves = ", motion: {type: constant, velocity: [1 cm/s, 0 m/s, 0 m/s]}";
+  const auto warnings = warnings_of(file, box_text(false, 0.01), "type: mesh, unit: cm", moves);
+  REQUIRE(warnings.size() == 2);
+  CHECK(warnings[0].find("narrower than a cell") != std::string::npos);
+  CHECK(warnings[1].find("thinner than its samples are apart") != std::string::npos);
+  const std::string wall = "objects=[{name: a, shape: {type: box, size: [9 mm, 1 m, 1 m]}, position: [";
+  CHECK(complaints(smallest_scene, {wall + "10.4 cm, 0 m, 0 m]}]"}).empty());
+  CHECK(complaints(smallest_scene, {wall + "10 cm, 0 m, 0 m]}]"}).find("it covers no centre of a cell") !=
+        std::string::npos);
+}
+
+TEST_CASE("distances that are negative all round their border are turned or refused") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "sandsim_sign.sdf";
+  const auto text = [](const std::string& rim, const std::string& middle, const std::string& corner) {
+    std::string result = "3 3 3 -0.02 -0.02 -0.02 0.02 " + corner;
+    for (int k = 1; k < 27; ++k) result += " " + (k == 13 ? middle : rim);
+    return result;
+  };
+  Scene turned;
+  CHECK(warnings_of(file, text("0.02", "-0.02", "0.02"), "type: sdf").empty());
+  const auto warnings = warnings_of(file, text("-0.02", "0.02", "0"), "type: sdf", "", &turned);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("Their sign is turned.") != std::string::npos);
+  const auto& grid = *std::get<SdfShape>(turned.objects.at(0).shape).file.distance;
+  CHECK(grid.values[13] == -0.02F);
+  CHECK(grid.values[1] == 0.02F);
+  // One sample of the border is outside: the object may be cut by its box.
+  const auto kept = warnings_of(file, text("-0.02", "0.02", "0.02"), "type: sdf", "", &turned);
+  REQUIRE(kept.size() == 1);
+  CHECK(kept[0].find("25 of 26 are negative") != std::string::npos);
+  CHECK(std::get<SdfShape>(turned.objects.at(0).shape).file.distance->values[13] == 0.02F);
+  CHECK_THROWS_AS(warnings_of(file, text("-0.02", "-0.02", "0"), "type: sdf"), SceneError);
 }
 
 TEST_CASE("an object may leave the grid but not start outside it") {
