@@ -30,7 +30,8 @@ Scene row_of_cells() {
 InitialState on_a_slope() {
   InitialState initial;
   initial.bed = {7, 6, 5, 4, 3, 2, 1, 0};
-  initial.depth = {1, 1, 0, 0, 0, 0, 0, 0};
+  initial.depth.assign(8, 0.0);
+  initial.depth[0] = initial.depth[1] = 1.0;
   return initial;
 }
 
