@@ -94,7 +94,7 @@ void bake_objects(RunInput& input, const RunArguments& arguments, Console& conso
     console.err << fmt::format("\rsandsim: mesh of '{}': {:3.0f} % baked{}", name, 100.0 * done, done < 1.0 ? "" : "\n")
                 << std::flush;
   };
-  bake_meshes(input.scene, fs::absolute(input.directory).parent_path(), {},
+  bake_meshes(input.scene, fs::absolute(input.directory).parent_path(),
               shows ? progress : std::function<void(const std::string&, double)>{});
 }
 

@@ -243,7 +243,8 @@ void check_coverage(const Scene& scene, const KinematicObject& object, const std
                     "it covers no centre of a cell and so does nothing",
                     "it is " + number_text(objects::narrowest_width(object, scene.grid)) +
                         " m wide at its narrowest and the cells " + number_text(scene.grid.spacing) + " m",
-                    "Make it wider than a cell, move it onto the centres of cells, or make grid.spacing finer.",
+                    std::string("Make it wider than a cell, move it onto the centres of cells, or make grid.spacing ") +
+                        (std::holds_alternative<SdfShape>(object.shape) ? "or sample_spacing finer." : "finer."),
                     {"grid"}});
 }
 

@@ -85,6 +85,9 @@ class Values {
   }
 
   std::string_view last() const { return last_; }
+  std::string_view rest() const { return is_ascii() ? tokens_.rest() : bytes_; }
+  /// Something but blanks is left.
+  bool has_more() const { return rest().find_first_not_of(" \t\r\n") != std::string_view::npos; }
 
   /// Throws an error that points at the last value.
   [[noreturn]] void fail(const std::string& message) const { throw InputError(describe(last_, message)); }
@@ -144,6 +147,9 @@ class PlyReader {
   }
 
   objects::TriangleMesh finish(const std::string& name, Warnings* warnings) {
+    if (values_.has_more()) {
+      warn(warnings, values_.describe(values_.rest(), "what follows the elements of the header is not read"));
+    }
     odd_.settle(mesh_, warnings,
                 [&](std::string_view place, const std::string& what) { return values_.describe(place, what); });
     require_triangles(mesh_, name);

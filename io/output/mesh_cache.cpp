@@ -117,7 +117,6 @@ CachedMesh bake_with_cache(const objects::TriangleMesh& mesh, int resolution, co
 }
 
 void bake_meshes(Scene& scene, const std::filesystem::path& folder,
-                 const std::function<void(const std::string&, const CachedMesh&)>& report,
                  const std::function<void(const std::string&, double)>& progress) {
   for (KinematicObject& object : scene.objects) {
     auto* const shape = std::get_if<MeshShape>(&object.shape);
@@ -125,7 +124,6 @@ void bake_meshes(Scene& scene, const std::filesystem::path& folder,
     std::function<void(double)> own_progress;
     if (progress) own_progress = [&](double fraction) { progress(object.name, fraction); };
     CachedMesh cached = bake_with_cache(*shape->file.mesh, shape->resolution, folder, own_progress);
-    if (report) report(object.name, cached);
     shape->file.distance = std::make_shared<objects::DistanceGrid>(std::move(cached.baked.grid));
   }
 }

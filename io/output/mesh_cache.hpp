@@ -22,10 +22,9 @@ struct CachedMesh {
 CachedMesh bake_with_cache(const objects::TriangleMesh& mesh, int resolution, const std::filesystem::path& folder,
                            const std::function<void(double)>& progress = {});
 
-/// Bakes the meshes of a scene's objects so that the solver finds them in MeshFile::distance. `report` is
-/// told each object's name and what came out; `progress` the name and the finished fraction.
+/// Bakes the meshes of a scene's objects so that the solver finds them in MeshFile::distance. `progress` is told each
+/// object's name and the finished fraction.
 void bake_meshes(Scene& scene, const std::filesystem::path& folder,
-                 const std::function<void(const std::string&, const CachedMesh&)>& report = {},
                  const std::function<void(const std::string&, double)>& progress = {});
 
 }  // namespace sandsim

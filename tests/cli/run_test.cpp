@@ -278,6 +278,17 @@ TEST_CASE("check prints the bed in the corners of the grid") {
                  "(4567001.95, 200.95)\n"));
 }
 
+TEST_CASE("check says where objects are and how many cells see them") {
+  const Workplace place(small_scene());
+  // Cells of 1 cm: a box of 3.2 cm about a centre covers three of them.
+  const Outcome outcome =
+      call({"check", place.scene.string(), "--set",
+            "objects=[{name: post, shape: {type: box, size: [3.2 cm, 1 m, 10 cm]}, position: [5.5 cm, 0 m, 2 cm]}]"});
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.find("object   post: x 0.039 m to 0.071 m, y -0.5 m to 0.5 m, z -0.03 m to 0.07 m, volume 0.0032 "
+                         "m^3, covers 3 cells at its start") != std::string::npos);
+}
+
 TEST_CASE("the resolved scene gives the same result again") {
   const Workplace place(small_scene());
   REQUIRE(place.run().code == 0);

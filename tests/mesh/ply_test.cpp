@@ -132,6 +132,13 @@ TEST_CASE("faces of PLY may come before their vertices") {
   CHECK(read(text).triangles.size() == 1);
 }
 
+TEST_CASE("what follows the elements of PLY is said not to be read") {
+  Warnings warnings;
+  read_ply(header("ascii") + ascii_body + "7\n", "a.ply", &warnings);
+  read_ply(header("binary_big_endian") + binary_body(true) + "\n", "a.ply", &warnings);
+  CHECK(warnings == Warnings{"a.ply:15:1: what follows the elements of the header is not read"});
+}
+
 TEST_CASE("faces of PLY need three corners and lists a length") {
   Warnings warnings;
   CHECK(read_ply(header("ascii", "3", "2") + ascii_body + "2 0 1\n", "a.ply", &warnings).triangles.size() == 1);

@@ -51,9 +51,10 @@ const std::vector<std::vector<std::string>> variations = {
      " {name: b, shape: {type: cone, radius: 1 cm, height: 1 m}, motion: {type: constant, velocity: [7 km/h, 0 m/s, "
      "0 m/s], angular_velocity: [0 rad/s, 3 deg/s, 7 rpm]}}]"},
     {"objects=[{name: a, shape: {type: mesh, file: data/tetrahedron.obj, unit: in, scale: 0.1, resolution: 50}, "
-     "sample_spacing: 1 mm}]"},
-    {"objects=[{name: a, shape: {type: sdf, file: data/cross.sdf, scale: 0.01}}, {name: b, shape: {type: sdf, file: "
-     "data/cross.npy, spacing: 1 mm, origin: [1 cm, 0 m, 0 m]}}]"},
+     "position: [4 mm, 4 mm, 0 m], sample_spacing: 1 mm}]"},
+    {"objects=[{name: a, shape: {type: sdf, file: data/cross.sdf, scale: 0.01}, position: [5 mm, 5 mm, 0 m]}, {name: "
+     "b, shape: {type: sdf, file: "
+     "data/cross.npy, spacing: 1 mm, origin: [1 cm, 0 m, 0 m]}, position: [-6 mm, 4 mm, 0 m], sample_spacing: 1 mm}]"},
     {"objects=[{name: a, shape: {type: cylinder, radius: 1 cm, height: 3 mm}, motion: {type: stroke, points: [{time: "
      "0 s, position: [3 cm, 0 m, 0 m]}, {time: 7 ms, position: [7 cm, 0 m, 0 m]}]}}]"},
 };
