@@ -74,7 +74,7 @@ class Sweeps(unittest.TestCase):
         self.assertGreater(summary["runout"][0], summary["runout"][1])      # less friction, farther
         for name in ("area", "deposit_height", "drop", "front", "max_depth", "max_speed", "travel_angle"):
             self.assertTrue((summary[name] > 0).all(), name)
-        np.testing.assert_array_equal(summary["volume_out"], 0)
+        self.assertLess(summary["volume_out"].max(), 1e-6)  # m^3 of 2.4e-3: a film reaches the open sides
         np.testing.assert_allclose(np.tan(summary["travel_angle"]), summary["drop"] / summary["runout"])
 
     def test_one_key_a_sample_and_a_failed_case_are_drawn(self):
