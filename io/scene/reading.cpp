@@ -218,8 +218,9 @@ void Reading::load(const Node& node, const std::string& path, RasterFile& target
     return;
   }
   if (target.first_row && raster->has_georeference) {
-    complain_at(path.substr(0, path.rfind('.')) + ".first_row",
-                {"not used", shown(node) + " says by itself where its rows lie", "Remove it."});
+    const std::string key = path.substr(0, path.rfind('.')) + ".first_row";
+    if (failed(key)) return;
+    complain_at(key, {"not used", shown(node) + " says by itself where its rows lie", "Remove it."});
   } else if (target.first_row == FirstRow::north) {
     raster->flip_rows();
   }

@@ -130,14 +130,14 @@ TEST_CASE("particles are a point cloud with ids") {
   const VisibleParticles particles = three_particles();
   const std::string ply = ply_bytes(particles);
   const std::size_t data = behind(ply, "end_header\n");
-  REQUIRE(ply.size() == data + 3 * 20);
+  REQUIRE(ply.size() == data + 3 * 32);
   const std::string vtp = vtp_bytes(particles);
   CHECK(vtp_array<std::int64_t>(vtp, "id") == particles.ids);
   CHECK(vtp_array<std::int64_t>(vtp, "connectivity") == std::vector<std::int64_t>{0, 1, 2});
   CHECK(vtp_array<std::int64_t>(vtp, "offsets") == std::vector<std::int64_t>{1, 2, 3});
   const std::vector<double> points = vtp_array<double>(vtp, "points");
   for (std::size_t k = 0; k < 3; ++k) {
-    CHECK(number_at<double>(ply, data + 20 * k + 12) == static_cast<double>(particles.ids[k]));
+    CHECK(number_at<double>(ply, data + 32 * k + 24) == static_cast<double>(particles.ids[k]));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       CHECK(number_at<double>(ply, data + 32 * k + 8 * axis) == particles.positions[k][axis]);
       CHECK(points[3 * k + axis] == particles.positions[k][axis]);

@@ -62,7 +62,7 @@ TEST_CASE("a name that promises a format brings the error of its reader") {
   const Folder folder;
   const std::string text = folder.write("a.txt", "north: 20\n").string(), array = folder.write("a.npy", grid).string();
   CHECK(error(text).starts_with(text + ":1:1: \"north\" is no key of an ESRI ASCII header."));
-  CHECK(error(array).starts_with(array + ": this is no NumPy array"));
+  CHECK(error(array).starts_with(array + ": not a .npy file"));
 }
 
 TEST_CASE("a file that is missing or a folder or not readable is an error") {

@@ -318,9 +318,10 @@ TEST_CASE("The needs of a scene are those of its run") {
     }
     MemorySink sink;
     const auto memory = static_cast<double>(run(scene, {}, sink).memory_bytes);
-    // The run counts halos, 2 of 300 rows and columns at each side, and the padding of rows as well.
-    CHECK(needs_of(scene).state_bytes <= memory);
-    CHECK(needs_of(scene).state_bytes >= 0.9 * memory);
+    // The run also counts halos and the rows that are under way, a fifth of so small a grid; but not the ids in a
+    // frame of particles, 8 of 85 bytes.
+    CHECK(needs_of(scene).state_bytes <= 1.1 * memory);
+    CHECK(needs_of(scene).state_bytes >= 0.8 * memory);
   }
 }
 
