@@ -251,8 +251,14 @@ struct Reference {
   std::optional<FrontCurve> measured_front;  // likewise
 };
 
+/// The script that writes the files which a scene names: for messages, nothing runs it here.
+struct ScriptFile {
+  std::string file;  // as written in the scene
+};
+
 struct Scene {
   std::string title;
+  std::optional<ScriptFile> made_by;
   Grid grid;
   double gravity = 9.8;  // [m/s^2]
   std::vector<TerrainPart> terrain{FlatTerrain{}};

@@ -112,6 +112,7 @@ class PageWriter {
   std::string type(const std::string&, MeshFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, SdfFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, PathTable&, const Rule&) { return "file"; }
+  std::string type(const std::string&, ScriptFile&, const Rule&) { return "file"; }
   std::string type(const std::string&, ScalarMap&, const Rule& rule) { return kind_of(rule) + ", or a map"; }
 
   template <class T>

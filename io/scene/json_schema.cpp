@@ -126,6 +126,9 @@ Members schema_of(const SdfFile&, const Rule&) {
 Members schema_of(const PathTable&, const Rule&) {
   return with_type("string");
 }
+Members schema_of(const ScriptFile&, const Rule&) {
+  return with_type("string");
+}
 
 template <class E>
 requires std::is_enum_v<E> Members schema_of(const E&, const Rule&) {

@@ -109,6 +109,7 @@ class MapWriter {
   MeshFile located(const MeshFile& value) const { return {moved(value.file), value.mesh, value.distance}; }
   SdfFile located(const SdfFile& value) const { return {moved(value.file), value.distance}; }
   PathTable located(const PathTable& value) const { return {moved(value.file), {}, {}}; }
+  ScriptFile located(const ScriptFile& value) const { return {moved(value.file)}; }
   ScalarMap located(const ScalarMap& value) const {
     if (const auto* file = std::get_if<RasterFile>(&value)) return located(*file);
     const auto* zones = std::get_if<ZoneMap>(&value);

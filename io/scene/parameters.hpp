@@ -309,6 +309,8 @@ void describe(V& v, Reference& r) {
 template <class V>
 void describe(V& v, Scene& s) {
   v.field("title", s.title, text(), "What the scene is, in a few words.");
+  v.field("made_by", s.made_by, file().like("../../scripts/make_gis.py"),
+          "The script that writes the files of this scene: named where one is missing. scripts/run calls it then.");
   v.field("grid", s.grid, section().required().like("{cells: [160, 1], spacing: 1 cm}"), "The cells.");
   v.field("gravity", s.gravity, acceleration().at_least(0), "Acceleration of gravity.");
   v.field("terrain", s.terrain, list().single_allowed().not_empty(), "The bed; the parts of a list are added up.");

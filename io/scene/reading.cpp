@@ -196,7 +196,8 @@ std::filesystem::path Reading::find_file(const Node& node, const std::string& pa
     complain_input(node, path, {"not a file", "looked at " + shown(full.string(), 200), ""});
     return {};
   }
-  const Complaint missing{"the file is missing", "looked for " + shown(full.string(), 200), ""};
+  const Complaint missing{"the file is missing", "looked for " + shown(full.string(), 200),
+                          made_by_.empty() ? "" : "Run " + made_by_ + ", which writes it."};
   if (rule.may_be_missing) {
     warn(node, path, missing);
   } else {
@@ -423,6 +424,13 @@ void Reading::parse(const Node& node, const std::string& path, SdfFile& target, 
     }
   }
   target = {node.text, std::move(grid)};
+}
+
+void Reading::parse(const Node& node, const std::string& path, ScriptFile& target, const Rule& rule) {
+  if (const std::filesystem::path full = find_file(node, path, rule); !full.empty()) {
+    made_by_ = full.lexically_normal().string();
+  }
+  target.file = node.text;
 }
 
 void Reading::parse(const Node& node, const std::string& path, PathTable& target, const Rule& rule) {

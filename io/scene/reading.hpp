@@ -34,6 +34,7 @@ class Reading {
   void parse(const Node& node, const std::string& path, MeshFile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, SdfFile& target, const Rule& rule);
   void parse(const Node& node, const std::string& path, PathTable& target, const Rule& rule);
+  void parse(const Node& node, const std::string& path, ScriptFile& target, const Rule& rule);
   /// The index of the word in `names`; complains and returns npos if it is none of them.
   std::size_t parse_name(const Node& node, const std::string& path, const std::vector<std::string>& names);
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
@@ -88,6 +89,7 @@ class Reading {
   double cell_ = 1.0;  // [m] the grid's spacing; 1 m until it is known
   Crs crs_;            // of the grid
   bool grid_known_ = false;
+  std::string made_by_;  // the script that writes the scene's files; empty: none is named
   std::map<std::string, const Node*> given_;
   std::set<std::string> singles_;
   std::set<std::string> failed_;

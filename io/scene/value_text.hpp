@@ -55,6 +55,9 @@ inline std::string value_text(const SdfFile& value, const Rule&) {
 inline std::string value_text(const PathTable& value, const Rule&) {
   return in_quotes(value.file);
 }
+inline std::string value_text(const ScriptFile& value, const Rule&) {
+  return in_quotes(value.file);
+}
 std::string value_text(const ScalarMap& value, const Rule& rule);
 
 template <class E>
