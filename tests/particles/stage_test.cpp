@@ -107,11 +107,11 @@ TEST_CASE("Far from the origin particles lie in their cells as near it") {
     Grid near = grid_of(5, 4);
     near.spacing = spacing;
     Grid far = near;
-    far.origin = {4567000.0, 5234000.0};  // UTM
+    far.origin = {4567000.3, 5234000.7};  // UTM, and no floats, as the elevation
     Particles particles = particles_of(2, 3);
     particles.spacing = spacing / 2;
     Setup here(near, particles, {}, 1), there(far, particles, {}, 1);
-    const double elevation = 2345.0;
+    const double elevation = 2345.678;
     std::fill_n(there.stage.sand().surface, far.cell_count(), 2.0 + elevation);
     for (int move = 0; move < 3; ++move) {
       for (auto* place : {&here, &there}) {
