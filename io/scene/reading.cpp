@@ -209,6 +209,7 @@ std::filesystem::path Reading::find_file(const Node& node, const std::string& pa
 void Reading::load(const Node& node, const std::string& path, RasterFile& target, const Rule& rule) {
   auto raster = std::make_shared<Raster>();
   target.file = node.text;
+  target.place = place_of(node);
   target.data = raster;
   const std::filesystem::path full = find_file(node, path, rule);
   if (full.empty()) return;
@@ -234,7 +235,8 @@ void Reading::load(const Node& node, const std::string& path, RasterFile& target
     largest = std::max(largest, value);
   }
   const std::optional<FillValue> fill = find_fill_value(*raster);
-  if (fill) warn(node, path, describe_fill_value(*fill));
+  const bool values_matter = grid_known_;  // not those of the raster that the grid is like
+  if (fill && values_matter) warn(node, path, describe_fill_value(*fill));
   const bool is_angle = rule.dimension == Dimension::angle;
   const auto si = [is_angle](double value) { return is_angle ? value * std::numbers::pi / 180 : value; };
   if (smallest <= largest && !(rule.holds(si(smallest)) && rule.holds(si(largest)))) {
