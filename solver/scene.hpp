@@ -38,7 +38,7 @@ struct Grid {
   std::array<int, 2> cells{0, 0};          // x, y
   double spacing = 0.0;                    // [m] same in x and y
   std::array<double, 2> origin{0.0, 0.0};  // [m] corner of the grid
-  Crs crs;                                 // of the coordinates; unknown: they are the scene's own
+  Crs crs{};                               // of the coordinates; unknown: they are the scene's own
 
   double x(int i) const { return origin[0] + (i + 0.5) * spacing; }
   double y(int j) const { return origin[1] + (j + 0.5) * spacing; }

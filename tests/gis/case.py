@@ -3,10 +3,12 @@
 import json
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
-PROGRAM = None        # set by the script that is run
+PROGRAM = None        # set by main()
+SKIPPED = 77
 EXIT_INVALID, EXIT_MISSING = 2, 3
 
 
@@ -40,3 +42,15 @@ class GisCase(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stdout[-500:] + done.stderr)
         for text in (*texts, f"{pathlib.Path(scene).name}:"):
             self.assertIn(text, done.stderr)
+
+
+def main():
+    """Runs the tests of the script with the program that its first argument names; skips them where that was built
+    without GDAL."""
+    global PROGRAM
+    PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    module = pathlib.Path(PROGRAM).parent.parent / "lib" / "sandsim" / "sandsim_gdal.so"
+    if not module.exists():
+        print(f"skipped: built without GDAL ({module} is missing)")
+        sys.exit(SKIPPED)
+    unittest.main()

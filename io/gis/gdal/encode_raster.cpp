@@ -6,25 +6,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <string>
 
 #include "io/gis/gdal/crs.hpp"
-#include "io/gis/gdal/errors.hpp"
+#include "io/gis/gdal/dataset.hpp"
 #include "io/gis/gdal/raster.hpp"
-#include "solver/errors.hpp"
 
 namespace sandsim::gdal {
 namespace {
 
 constexpr double ascii_no_data = -9999.0;  // Esri's default
-
-using Dataset = std::unique_ptr<void, void (*)(GDALDatasetH)>;
-
-void close(GDALDatasetH dataset) {
-  if (dataset != nullptr) {
-    GDALClose(dataset);
-  }
-}
 
 GDALDriverH driver(const char* name) {
   const GDALDriverH found = GDALGetDriverByName(name);
@@ -37,7 +28,7 @@ GDALDriverH driver(const char* name) {
 /// The raster as a data set in memory, north up.
 Dataset in_memory(const Raster& raster, double no_data, GDALDataType type) {
   const int nx = static_cast<int>(raster.nx), ny = static_cast<int>(raster.ny);
-  Dataset dataset(GDALCreate(driver("MEM"), "", nx, ny, 1, type, nullptr), close);
+  Dataset dataset(GDALCreate(driver("MEM"), "", nx, ny, 1, type, nullptr), &close);
   std::array<double, 6> transform{raster.origin_x - 0.5 * raster.spacing_x,
                                   raster.spacing_x,
                                   0.0,

@@ -12,8 +12,8 @@
 #include <memory>
 
 #include "io/gis/gdal/crs.hpp"
+#include "io/gis/gdal/dataset.hpp"
 #include "io/gis/gdal/errors.hpp"
-#include "solver/errors.hpp"
 
 namespace sandsim::gdal {
 namespace {
@@ -22,25 +22,6 @@ using Geometry = std::unique_ptr<std::remove_pointer_t<OGRGeometryH>, decltype(&
 using Feature = std::unique_ptr<std::remove_pointer_t<OGRFeatureH>, decltype(&OGR_F_Destroy)>;
 using Transformation =
     std::unique_ptr<std::remove_pointer_t<OGRCoordinateTransformationH>, decltype(&OCTDestroyCoordinateTransformation)>;
-using Dataset = std::unique_ptr<void, void (*)(GDALDatasetH)>;
-
-[[noreturn]] void fail(const std::string& name, const std::string& message) {
-  throw InputError(fmt::format("{}: {}", name, message));
-}
-
-Dataset open(const std::string& name) {
-  const Complaints complaints;
-  const unsigned flags = GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
-  Dataset dataset(GDALOpenEx(name.c_str(), flags, nullptr, nullptr, nullptr), [](GDALDatasetH handle) {
-    if (handle != nullptr) {
-      GDALClose(handle);
-    }
-  });
-  if (!dataset) {
-    fail(name, fmt::format("GDAL cannot read polygons from it ({})", complaints.text("no reason given")));
-  }
-  return dataset;
-}
 
 OGRLayerH choose_layer(GDALDatasetH dataset, const std::string& name, const std::string& wanted) {
   std::vector<std::string> names;
@@ -254,7 +235,7 @@ class FeatureReader {
 
 PolygonLayer read_polygons(const std::filesystem::path& file, const PolygonRequest& request) {
   const std::string name = file.string();
-  const Dataset dataset = open(name);
+  const Dataset dataset = open(name, GDAL_OF_VECTOR);
   const OGRLayerH layer = choose_layer(dataset.get(), name, request.layer);
   const int attribute = find_attribute(layer, name, request.attribute);
   const FeatureReader reader(name, attribute, transformation(dataset.get(), layer, file, request.crs));

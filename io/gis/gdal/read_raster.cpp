@@ -9,33 +9,13 @@
 #include <memory>
 
 #include "io/gis/gdal/crs.hpp"
+#include "io/gis/gdal/dataset.hpp"
 #include "io/gis/gdal/errors.hpp"
 #include "io/gis/gdal/raster.hpp"
 #include "io/raster/limits.hpp"
-#include "solver/errors.hpp"
 
 namespace sandsim::gdal {
 namespace {
-
-using Dataset = std::unique_ptr<void, void (*)(GDALDatasetH)>;
-
-[[noreturn]] void fail(const std::string& name, const std::string& message) {
-  throw InputError(fmt::format("{}: {}", name, message));
-}
-
-Dataset open(const std::string& name) {
-  const Complaints complaints;
-  const unsigned flags = GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
-  Dataset dataset(GDALOpenEx(name.c_str(), flags, nullptr, nullptr, nullptr), [](GDALDatasetH handle) {
-    if (handle != nullptr) {
-      GDALClose(handle);
-    }
-  });
-  if (!dataset) {
-    fail(name, fmt::format("GDAL cannot read it ({})", complaints.text("no reason given")));
-  }
-  return dataset;
-}
 
 /// The names of the variables that a file holds as data sets of their own, and the full names to open them by.
 struct Variables {
@@ -75,7 +55,7 @@ Dataset choose_variable(Dataset file, const std::string& name, const std::string
                                             variables.names.front(), held)
                               : fmt::format("holds no variable '{}' ({})", wanted, held));
   }
-  return open(variables.full_names[static_cast<std::size_t>(found - variables.names.begin())]);
+  return open(variables.full_names[static_cast<std::size_t>(found - variables.names.begin())], GDAL_OF_RASTER);
 }
 
 /// Throws for what is no map of one quantity in metres (or without a unit).
@@ -182,7 +162,7 @@ std::vector<double> values_of(GDALRasterBandH band, const Raster& raster, const 
 
 Raster read_raster(const std::filesystem::path& file, const RasterRequest& request) {
   const std::string name = file.string();
-  const Dataset dataset = choose_variable(open(name), name, request.variable);
+  const Dataset dataset = choose_variable(open(name, GDAL_OF_RASTER), name, request.variable);
   const int bands = GDALGetRasterCount(dataset.get());
   if (request.band < 1 || request.band > bands) {
     fail(name, fmt::format("there is no band {} (it has {})", request.band,

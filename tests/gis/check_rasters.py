@@ -1,12 +1,7 @@
 #!/usr/bin/python3
-"""GIS files through the program and back, as GDAL's own library and tools see them: check_gis.py PROGRAM.
+"""Rasters of a GIS through the program and back, as GDAL's own library and tools see them: check_rasters.py PROGRAM."""
 
-Exit code 77, skipped, where the program was built without GDAL."""
-
-import pathlib
 import subprocess
-import sys
-import unittest
 
 import h5py
 import numpy as np
@@ -127,7 +122,7 @@ class BadRasters(GisCase):
 
     def test_text_and_nothing(self):
         (self.folder / "dem.tif").write_text("no raster at all\n")
-        self.expect("GDAL cannot read it")
+        self.expect("GDAL cannot read it as a raster")
         (self.folder / "dem.tif").write_text("")
         self.expect("dem.tif")
 
@@ -187,6 +182,58 @@ class Values(GisCase):
         np.testing.assert_array_equal(bed_of(self.run_scene(self.scene())), files.elevation())
 
 
+class BandsAndVariables(GisCase):
+    def test_a_band_is_chosen_and_a_wrong_one_refused(self):
+        bands = np.stack([files.elevation(), files.elevation() + 7])
+        files.geotiff(self.folder / "dem.tif", bands)
+        output = self.run_scene(self.scene(terrain="{type: raster, file: dem.tif, band: 2}"))
+        np.testing.assert_array_equal(bed_of(output), bands[1])
+        np.testing.assert_array_equal(bed_of(self.run_scene(output / "scene.resolved.yaml", "again")), bands[1])
+        self.refused(self.scene(terrain="{type: raster, file: dem.tif, band: 3}"), EXIT_MISSING, "no band 3",
+                     "2 bands")
+
+    def test_a_variable_of_a_result_is_a_raster(self):
+        files.geotiff(self.folder / "dem.tif", files.elevation())
+        self.run_scene(self.scene(), "first")
+        self.call("export", "first", "--what", "rasters", "--field", "depth", "--frame", "0", "-o", "depth.tif")
+        (self.folder / "first" / "series.h5").rename(self.folder / "series.nc")
+        output = self.run_scene(self.scene(initial="{type: raster, file: depth.tif}",
+                                           terrain="{type: raster, file: series.nc, variable: bed}"))
+        np.testing.assert_array_equal(bed_of(output), files.elevation())
+        self.refused(self.scene(terrain="{type: raster, file: series.nc, variable: beds}"), EXIT_MISSING, "beds", "bed")
+
+    def test_a_file_that_holds_one_map_has_no_bands(self):
+        np.save(self.folder / "dem.npy", files.elevation())
+        self.refused(self.scene(grid="{cells: [30, 20], spacing: 10 m, origin: [600000 m, 5200000 m]}",
+                                terrain="{type: raster, file: dem.npy, band: 2}"), EXIT_MISSING, "band 2", "one map")
+
+
+class NoData(GisCase):
+    def setUp(self):
+        super().setUp()
+        values = files.elevation()
+        values[:4, :5] = -9999.0
+        files.geotiff(self.folder / "dem.tif", values, no_data=-9999.0)
+
+    def test_is_an_error_unless_the_scene_says_what_to_do(self):
+        self.refused(self.scene(), EXIT_INVALID, "dem.tif", "20 of 600 cells", "cell (0, 0)", "nodata: wall",
+                     "nodata: nearest", "scene.yaml:2:")
+        for way in ("wall", "nearest"):
+            with self.subTest(way=way):
+                output = self.run_scene(self.scene(terrain=f"{{type: raster, file: dem.tif, nodata: {way}}}"))
+                np.testing.assert_array_equal(bed_of(output)[4:], files.elevation()[4:])
+        # The last one was nearest: the first row with data is next.
+        self.assertEqual(bed_of(output)[3, 2], files.elevation()[4, 2])
+
+    def test_a_value_that_is_not_declared_is_a_warning(self):
+        values = files.elevation()
+        values[3, 4] = -32768.0
+        files.geotiff(self.folder / "dem.tif", values)
+        done = self.call("check", self.scene())
+        self.assertIn("-32768", done.stderr)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
 class Export(GisCase):
     def setUp(self):
         super().setUp()
@@ -235,9 +282,4 @@ class Export(GisCase):
 
 
 if __name__ == "__main__":
-    case.PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-    module = pathlib.Path(case.PROGRAM).parent.parent / "lib" / "sandsim" / "sandsim_gdal.so"
-    if not module.exists():
-        print(f"skipped: built without GDAL ({module} is missing)")
-        sys.exit(77)
-    unittest.main()
+    case.main()
