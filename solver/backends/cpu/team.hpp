@@ -1,20 +1,26 @@
 // How many threads take a step.
 #pragma once
 
+#include <omp.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
+
+#include "solver/backends/cpu/running_threads.hpp"
 
 namespace sandsim::cpu {
 
 /// Chooses between one thread and a team of all, by what steps have taken so far; or keeps to a number that was asked
 /// for. A team waits for its slowest thread at every barrier: beside other busy processes, where that thread is off its
-/// processor for milliseconds, a step of a small grid takes many times as long as with one thread. Results do not
-/// depend on the number, so that it may change from step to step.
+/// processor for milliseconds, a step of a small grid takes many times as long as with one thread. So a team is tried
+/// only while there is a processor for each of its threads, kept only while that is so, and only if it is faster.
+/// Results do not depend on the number, so that it may change from step to step.
 class Team {
  public:
   /// `all` threads; with `adapts` they are tried against one, now and then, for a small part of the time.
-  Team(int all, bool adapts) : all_(all), adapts_(adapts && all > 1), team_(!adapts_), preferred_(team_) {}
+  Team(int all, bool adapts)
+      : all_(all), processors_(omp_get_num_procs()), adapts_(adapts && all > 1), team_(!adapts_), preferred_(team_) {}
 
   bool adapts() const { return adapts_; }
   /// Threads that take the next step.
@@ -48,15 +54,25 @@ class Team {
     spent_ = 0.0, count_ = 0;
   }
 
+  /// Whether there is a processor for every thread of a team beside what else runs now.
+  bool has_room() const {
+    const int running = running_threads();
+    return running == 0 || running - size() + all_ <= processors_;
+  }
+
   /// A window of the preferred choice is full.
   void judge() {
     mean_[team_] = spent_ / count_;
-    const bool suffers = team_ && mean_[true] > mean_[false];
+    const bool room = has_room();
+    // A moment without room may be one of the system's own.
+    const bool suffers = team_ && ((!room && !had_room_) || mean_[true] > mean_[false]);
+    had_room_ = room;
     if (suffers) {
       pause();
       preferred_ = false;
     }
-    start(!suffers && now_ >= next_trial_ ? !preferred_ : preferred_);
+    const bool tries = !suffers && now_ >= next_trial_ && (team_ || room);
+    start(tries ? !preferred_ : preferred_);
   }
 
   void end_trial() {
@@ -79,6 +95,7 @@ class Team {
   }
 
   int all_;
+  int processors_;
   bool adapts_;
   bool team_;                             // takes the next step; else one thread does
   bool preferred_;                        // which of the two is used but for trials
@@ -88,6 +105,7 @@ class Team {
   int count_ = 0;                  // steps of it
   double now_ = 0.0;               // [s] spent in steps
   double next_trial_ = 0.0;        // [s] on that clock
+  bool had_room_ = true;           // at the end of the last window
   double pause_ = shortest_pause;  // [s]
 };
 
