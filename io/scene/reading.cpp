@@ -125,6 +125,7 @@ void Reading::parse(const Node& node, const std::string& path, double& target, c
     return;
   }
   target = value;
+  if (path == "grid.spacing") cell_ = value;  // the grid's own origin may be in cells
 }
 
 void Reading::parse(const Node& node, const std::string& path, int& target, const Rule& rule) {

@@ -311,7 +311,7 @@ TEST_CASE("The needs of a scene are those of its run") {
   scene.grid.cells = {400, 300};
   for (const bool rich : {false, true}) {
     if (rich) {
-      scene.output.maxima = true;
+      scene.output.maxima.emplace();
       scene.terrain = {PlaneTerrain{0.1, 0.0, 0.0}};
       scene.particles = Particles{};
       scene.particles->spacing = 0.5 * scene.grid.spacing;
