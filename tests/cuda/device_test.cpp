@@ -24,6 +24,10 @@ TEST_CASE("A loop of steps with sources and maxima on the device goes as on the 
   check_loops(make_cuda_backend);
 }
 
+TEST_CASE("The state alone bounds the next step on the device") {
+  check_bounds(make_cuda_backend);
+}
+
 TEST_CASE("Objects act on the device as on the CPU") {
   check_objects_on(make_cuda_backend);
 }

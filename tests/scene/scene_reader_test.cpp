@@ -1,5 +1,7 @@
 #include "io/scene/scene_reader.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "tests/scene/support.hpp"
@@ -82,6 +84,24 @@ TEST_CASE("every key of a scene arrives in SI units") {
   CHECK(s.output.checkpoint_interval == 60.0);
   REQUIRE(s.reference);
   CHECK(s.reference->front_depths == std::vector{0.005, 0.05});
+}
+
+TEST_CASE("a missing file is said with the script that writes it") {
+  const std::string scene =
+      "made_by: make.py\ngrid: {cells: [2, 2], spacing: 1 m}\nterrain: {type: raster, file: missing.tif}\n"
+      "sand: {friction_angle: 30 deg, initial: {type: layer, depth: 1 cm}}\ntime: {end: 1 s, frame_interval: 1 s}\n";
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "sandsim_made_by";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "make.py") << "\n";
+  try {
+    read_scene_text(scene, "s.yaml", folder);
+    FAIL("the scene was read");
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    CHECK(message.find("s.yaml:3:") != std::string::npos);
+    CHECK(message.find("Run " + (folder / "make.py").string() + ", which writes it.") != std::string::npos);
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("every kind of sand arrives in SI units") {

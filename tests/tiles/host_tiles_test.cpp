@@ -15,6 +15,10 @@ TEST_CASE("A loop of steps with sources and maxima on tiles goes as on the CPU")
   check_loops(make_host_tiles);
 }
 
+TEST_CASE("The state alone bounds the next step, whatever the sand was before") {
+  check_bounds(make_host_tiles);
+}
+
 TEST_CASE("Objects act on tiles as on the CPU and lose no sand") {
   check_objects_on(make_host_tiles);
 }

@@ -17,6 +17,8 @@ using MakeEnsemble = std::function<std::unique_ptr<Ensemble>(const std::vector<E
 void check_steps(const MakeBackend& make);
 /// Loops of steps with sources and maxima, and the capture of a frame.
 void check_loops(const MakeBackend& make);
+/// The bound of the next step is that of the state alone, also after sand that slows it: on the CPU and the backend.
+void check_bounds(const MakeBackend& make);
 /// Objects that displace and drag.
 void check_objects_on(const MakeBackend& make);
 /// Particles that follow the sand.

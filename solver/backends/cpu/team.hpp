@@ -19,8 +19,14 @@ namespace sandsim::cpu {
 class Team {
  public:
   /// `all` threads; with `adapts` they are tried against one, now and then, for a small part of the time.
-  Team(int all, bool adapts)
-      : all_(all), processors_(omp_get_num_procs()), adapts_(adapts && all > 1), team_(!adapts_), preferred_(team_) {}
+  /// `running` tells how many threads of the machine run or wait for a processor; 0: unknown.
+  Team(int all, bool adapts, int processors = omp_get_num_procs(), int (*running)() = running_threads)
+      : all_(all),
+        processors_(processors),
+        running_(running),
+        adapts_(adapts && all > 1),
+        team_(!adapts_),
+        preferred_(team_) {}
 
   bool adapts() const { return adapts_; }
   /// Threads that take the next step.
@@ -56,7 +62,7 @@ class Team {
 
   /// Whether there is a processor for every thread of a team beside what else runs now.
   bool has_room() const {
-    const int running = running_threads();
+    const int running = running_();
     return running == 0 || running - size() + all_ <= processors_;
   }
 
@@ -96,6 +102,7 @@ class Team {
 
   int all_;
   int processors_;
+  int (*running_)();
   bool adapts_;
   bool team_;                             // takes the next step; else one thread does
   bool preferred_;                        // which of the two is used but for trials
