@@ -62,6 +62,9 @@ class Gis {
                                                  bool single_precision) = 0;
 };
 
+/// Whether the program was built with GDAL. Opens nothing.
+bool has_gis();
+
 /// The module, opened by the first call. `needed_for` says for what, e.g. the name of a file. Throws InputError where
 /// the program was built without GDAL, or the module cannot be opened.
 Gis& gis(const std::string& needed_for);

@@ -18,8 +18,7 @@ fs::path module_path() {
 
 Gis& open_module(const std::string& needed_for) {
   const fs::path path = module_path();
-  std::error_code error;
-  if (!fs::exists(path, error)) {
+  if (!has_gis()) {
     throw InputError(
         fmt::format("{}: needs GDAL, and this sandsim was built without it ({} is missing). Install libgdal-dev and "
                     "build again; ESRI ASCII grids and .npy need no GDAL",
@@ -43,6 +42,11 @@ Gis& open_module(const std::string& needed_for) {
 }
 
 }  // namespace
+
+bool has_gis() {
+  std::error_code error;
+  return fs::exists(module_path(), error);
+}
 
 Gis& gis(const std::string& needed_for) {
   static Gis& module = open_module(needed_for);

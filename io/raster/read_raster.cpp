@@ -38,6 +38,21 @@ RasterKind kind_of(const std::filesystem::path& path) {
   return RasterKind::other;
 }
 
+/// What the .prj beside an ESRI ASCII grid says; unknown without one, or without GDAL, which understands it.
+Crs crs_beside(std::filesystem::path path) {
+  std::error_code error;
+  path.replace_extension(".prj");
+  if (!std::filesystem::is_regular_file(path, error) || !has_gis()) {
+    return {};
+  }
+  constexpr std::size_t most_bytes = 1 << 16;
+  try {
+    return gis(path.string()).find_crs(read_file_bytes(path, most_bytes));
+  } catch (const InputError& problem) {
+    throw InputError(fmt::format("{}: {}", path.string(), problem.what()));
+  }
+}
+
 }  // namespace
 
 Raster read_raster(const std::filesystem::path& path, const RasterRequest& request) {
@@ -53,7 +68,12 @@ Raster read_raster(const std::filesystem::path& path, const RasterRequest& reque
                                                             : fmt::format("variable '{}'", request.variable)));
     }
     const std::string bytes = read_file_bytes(path, most_raster_values * most_bytes_a_value);
-    return kind == RasterKind::npy ? read_npy(bytes, path.string()) : read_esri_ascii(bytes, path.string());
+    if (kind == RasterKind::npy) {
+      return read_npy(bytes, path.string());
+    }
+    Raster raster = read_esri_ascii(bytes, path.string());
+    raster.crs = crs_beside(path);
+    return raster;
   } catch (const std::bad_alloc&) {
     throw DeviceError(fmt::format("{}: the raster does not fit into memory", path.string()));
   }

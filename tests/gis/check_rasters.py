@@ -98,6 +98,17 @@ class CoordinateReferenceSystems(GisCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("crs: EPSG:32632", done.stderr)
 
+    def test_the_prj_beside_an_ascii_grid_counts(self):
+        source = files.gdal.Open(str(self.folder / "dem.tif"))
+        files.gdal.GetDriverByName("AAIGrid").CreateCopy(str(self.folder / "dem.asc"), source)
+        self.assertTrue((self.folder / "dem.prj").exists())
+        output = self.run_scene(self.scene(grid="{like: dem.asc}", terrain="{type: raster, file: dem.asc}"))
+        self.assertTrue(files.crs_is(f"NETCDF:{output}/series.h5:bed", files.UTM32))
+        (self.folder / "dem.prj").write_text(files.reference(32633).ExportToWkt(["FORMAT=WKT1_ESRI"]))
+        self.refused(self.scene(terrain="{type: raster, file: dem.asc}"), EXIT_INVALID, "EPSG:32633")
+        (self.folder / "dem.prj").write_text(files.reference(4326).ExportToWkt(["FORMAT=WKT1_ESRI"]))
+        self.refused(self.scene(terrain="{type: raster, file: dem.asc}"), EXIT_MISSING, "dem.prj", "degrees")
+
     def test_degrees_are_refused_with_the_zone_to_project_to(self):
         files.geotiff(self.folder / "dem.tif", files.elevation(), epsg=4326,
                       transform=(10.0, 1e-4, 0.0, 47.0, 0.0, -1e-4))

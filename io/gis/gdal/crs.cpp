@@ -28,6 +28,25 @@ std::string wkt_of(OGRSpatialReferenceH reference) {
   return wkt;
 }
 
+/// "EPSG:32632"; empty where it carries no code.
+std::string code_of(OGRSpatialReferenceH reference) {
+  const char* authority = OSRGetAuthorityName(reference, nullptr);
+  const char* code = OSRGetAuthorityCode(reference, nullptr);
+  return authority != nullptr && code != nullptr ? fmt::format("{}:{}", authority, code) : std::string();
+}
+
+/// The one of PROJ's database that a .prj without a code means, names apart; null if none is as good as certain.
+SpatialReference registered_match(OGRSpatialReferenceH reference) {
+  constexpr int certain = 90;  // of 100: equivalent, under another name
+  int count = 0;
+  int* confidence = nullptr;
+  OGRSpatialReferenceH* const matches = OSRFindMatches(reference, nullptr, &count, &confidence);
+  SpatialReference best = owned(count > 0 && confidence[0] >= certain ? OSRClone(matches[0]) : nullptr);
+  OSRFreeSRSArray(matches);
+  CPLFree(confidence);
+  return best;
+}
+
 }  // namespace
 
 SpatialReference horizontal(OGRSpatialReferenceH found) {
@@ -61,17 +80,14 @@ Crs describe(OGRSpatialReferenceH reference) {
   if (reference == nullptr) {
     return {};
   }
-  Crs crs{"", wkt_of(reference)};
-  const char* authority = OSRGetAuthorityName(reference, nullptr);
-  const char* code = OSRGetAuthorityCode(reference, nullptr);
-  const SpatialReference identified = owned(OSRClone(reference));
-  if ((authority == nullptr || code == nullptr) && OSRAutoIdentifyEPSG(identified.get()) == OGRERR_NONE) {
-    authority = OSRGetAuthorityName(identified.get(), nullptr);
-    code = OSRGetAuthorityCode(identified.get(), nullptr);
+  if (std::string name = code_of(reference); !name.empty()) {
+    return {std::move(name), wkt_of(reference)};
+  }
+  if (const SpatialReference match = registered_match(reference); match && !code_of(match.get()).empty()) {
+    return {code_of(match.get()), wkt_of(match.get())};
   }
   // Without a code the WKT is the name: it is read again as it is written.
-  crs.name = authority != nullptr && code != nullptr ? fmt::format("{}:{}", authority, code) : crs.wkt;
-  return crs;
+  return {wkt_of(reference), wkt_of(reference)};
 }
 
 SpatialReference reference_of(const Crs& crs) {
@@ -84,7 +100,7 @@ Crs find_crs(const std::string& text) {
   constexpr std::array<const char*, 3> options{"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
   auto* const named = OGRSpatialReference::FromHandle(reference.get());  // GDAL 3.6 has no C function with options
   if (named->SetFromUserInput(text.c_str(), options.data()) != OGRERR_NONE) {
-    throw InputError(fmt::format("no coordinate reference system is known by this name ({}). Write it like EPSG:32632",
+    throw InputError(fmt::format("no coordinate reference system is known by it ({}). Write it like EPSG:32632",
                                  complaints.text("PROJ knows none")));
   }
   const SpatialReference flat = horizontal(reference.get());
