@@ -52,7 +52,9 @@ void add_precision(CLI::App& command, std::optional<std::string>& precision, con
 }
 
 void add_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Threads; all processors if absent. Results do not depend on it")
+  command
+      .add_option("--threads", threads,
+                  "Threads; if absent up to one a processor, and one where that is faster. Results do not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
 }
