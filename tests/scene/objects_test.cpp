@@ -172,6 +172,7 @@ TEST_CASE("distances that are negative all round their border are turned or refu
   CHECK(kept[0].find("25 of 26 are negative") != std::string::npos);
   CHECK(std::get<SdfShape>(turned.objects.at(0).shape).file.distance->values[13] == 0.02F);
   CHECK_THROWS_AS(warnings_of(file, text("-0.02", "-0.02", "0"), "type: sdf"), SceneError);
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("an object may leave the grid but not start outside it") {
