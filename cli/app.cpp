@@ -51,10 +51,8 @@ void add_precision(CLI::App& command, std::optional<std::string>& precision, con
       ->check(one_of({"float32", "float64"}));
 }
 
-void add_threads(CLI::App& command, int& threads) {
-  command
-      .add_option("--threads", threads,
-                  "Threads; if absent up to one a processor, and one where that is faster. Results do not depend on it")
+void add_threads(CLI::App& command, int& threads, const std::string& by_default) {
+  command.add_option("--threads", threads, "Threads; if absent, " + by_default + ". Results do not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
 }
@@ -86,7 +84,7 @@ void add_run(CLI::App& app, Arguments& all) {
   command.add_option("-o,--output", run.output, "Output directory; results/NAME if absent (see below)")
       ->type_name("DIR");
   add_device(command, run.device, "auto takes the fastest there is; auto if absent");
-  add_threads(command, run.threads);
+  add_threads(command, run.threads, "as many as have a processor free and pay");
   add_precision(command, run.precision, "Override numerics.precision");
   CLI::Option* resume = command.add_flag("--resume", run.resume, "Go on from DIR's checkpoint.h5");
   command.add_flag("--overwrite", run.overwrite, "Remove the results of an earlier run from DIR")->excludes(resume);
@@ -248,7 +246,7 @@ void add_bench(CLI::App& app, Arguments& all) {
                   "Cells along each side; 2048 if absent, with --device cuda all of 64, 128, ..., 16384")
       ->type_name("N")
       ->check(CLI::Range(16, 32768));
-  add_threads(command, bench.threads);
+  add_threads(command, bench.threads, "one a processor");
   command.add_option("--repeats", bench.repeats, "Measurements of each number")
       ->type_name("K")
       ->check(CLI::Range(1, 1000))

@@ -11,7 +11,7 @@ namespace sandsim::cli {
 /// Model name of the processor, or "unknown processor".
 std::string processor_name();
 
-/// Threads that a run takes if it is not told how many.
+/// Threads at most of a run that is not told how many: one a processor.
 int default_threads();
 
 /// Processors that are there.

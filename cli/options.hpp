@@ -17,7 +17,7 @@ struct RunArguments {
   std::vector<std::string> overrides;  // "a.b=v", in the order given
   std::optional<std::string> precision;
   Device device = Device::automatic;
-  int threads = 0;  // 0: all
+  int threads = 0;  // 0: as many as are free and pay
   bool resume = false;
   bool overwrite = false;
   double max_wall = 0.0;  // [s] 0: no limit

@@ -3,7 +3,6 @@
 import subprocess
 import unittest
 
-from paper_figures import avalanche
 from plotting import ROOT, sandsim
 
 SCENES = sorted(ROOT.glob("scenes/*/scene*.yaml"))
@@ -13,7 +12,7 @@ STUDIES = sorted(ROOT.glob("scenes/studies/*.yaml"))
 class ShippedScenes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        avalanche.inputs()                   # terrain and snow are not in the repository
+        subprocess.run([str(ROOT / "scripts/make_files")], check=True)       # they are not in the repository
 
     def test_every_scene_passes_sandsim_check(self):
         for scene in SCENES:

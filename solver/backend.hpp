@@ -59,7 +59,7 @@ struct BackendConfig {
   bool maxima = false;   // keep max_depth, max_speed, arrival_time
   double above = 0.0;    // [m] thinner sand counts neither as arrived nor for the largest speed
   double drained = 0.0;  // [-] nor does the speed of what is left of a cell's largest depth, below this share of it
-  int threads = 0;       // 0: as many as the machine has; results do not depend on it
+  int threads = 0;       // 0: as many as are free and pay, step by step; results do not depend on it
   int tile_columns = 0;  // 0: chosen by the backend; results do not depend on it
   int block_rows = 0;    // likewise
   bool covers = false;   // objects are bed for the flow where they cover sand: keep ground and buried sand apart

@@ -109,7 +109,7 @@ struct RunReport {
   std::string message;
 
   std::string device;  // e.g. "cpu"
-  int threads = 1;
+  int threads = 1;     // that most steps took
   std::string precision;
   std::string scheme;
   int order = 0;

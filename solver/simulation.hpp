@@ -48,7 +48,7 @@ struct Progress {
 
 struct RunOptions {
   Device device = Device::cpu;                        // cpu or cuda: choose_device() settles `automatic`
-  int threads = 0;                                    // 0: all
+  int threads = 0;                                    // 0: as many as are free and pay
   const std::atomic<bool>* interrupt = nullptr;       // set by a signal handler: end after the current step
   double max_wall = 0.0;                              // [s] 0: no limit
   std::function<void(const Progress&)> progress;      // may be empty

@@ -177,11 +177,25 @@ std::size_t Reading::parse_name(const Node& node, const std::string& path, const
 }
 
 // ---- files ----------------------------------------------------------------------------------------------------------
-std::filesystem::path Reading::find_file(const Node& node, const std::string& path, const Rule& rule) {
-  if (node.kind != Node::Kind::scalar || node.text.empty() || node.text.find('\0') != std::string::npos) {
+bool Reading::expect_file_name(const Node& node, const std::string& path, const Rule& rule) {
+  const bool is_name =
+      node.kind == Node::Kind::scalar && !node.text.empty() && node.text.find('\0') == std::string::npos;
+  if (!is_name) {
     complain(node, path, {"the name of a file is needed", "", "Write it like " + rule.example() + "."});
-    return {};
   }
+  return is_name;
+}
+
+std::string Reading::way_to_make_files() const {
+  if (made_by_.empty()) return "";
+  std::error_code error;
+  return std::filesystem::is_regular_file(made_by_, error)
+             ? "Run " + made_by_.string() + ", which writes the files of this scene."
+             : "made_by names the script that writes it, but " + made_by_.string() + " is missing, too.";
+}
+
+std::filesystem::path Reading::find_file(const Node& node, const std::string& path, const Rule& rule) {
+  if (!expect_file_name(node, path, rule)) return {};
   const std::filesystem::path full = directory_ / node.text;
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(full, error);
@@ -190,8 +204,7 @@ std::filesystem::path Reading::find_file(const Node& node, const std::string& pa
     complain_input(node, path, {"not a file", "looked at " + shown(full.string(), 200), ""});
     return {};
   }
-  const Complaint missing{"the file is missing", "looked for " + shown(full.string(), 200),
-                          made_by_.empty() ? "" : "Run " + made_by_ + ", which writes it."};
+  const Complaint missing{"the file is missing", "looked for " + shown(full.string(), 200), way_to_make_files()};
   if (rule.may_be_missing) {
     warn(node, path, missing);
   } else {
@@ -293,11 +306,12 @@ void Reading::parse(const Node& node, const std::string& path, SdfFile& target, 
   target = {node.text, std::move(grid)};
 }
 
+/// A scene that was copied away with its files does not need the script any more.
 void Reading::parse(const Node& node, const std::string& path, ScriptFile& target, const Rule& rule) {
-  if (const std::filesystem::path full = find_file(node, path, rule); !full.empty()) {
-    made_by_ = full.lexically_normal().string();
+  if (expect_file_name(node, path, rule)) {
+    target.file = node.text;
+    made_by_ = (directory_ / node.text).lexically_normal();
   }
-  target.file = node.text;
 }
 
 void Reading::parse(const Node& node, const std::string& path, PathTable& target, const Rule& rule) {

@@ -65,6 +65,9 @@ class Reading {
  private:
   void warn(const Node& node, const std::string& path, const Complaint& complaint);
   void complain_input(const Node& node, const std::string& path, const Complaint& complaint);
+  bool expect_file_name(const Node& node, const std::string& path, const Rule& rule);
+  /// What to do about a missing file, if the scene says so.
+  std::string way_to_make_files() const;
   /// The file's full name if it is there and a file; else complains (or warns) and returns an empty path.
   std::filesystem::path find_file(const Node& node, const std::string& path, const Rule& rule);
   /// Loads the raster of `node` into `target`, whose first_row says how the file lies; values are in the display unit
@@ -89,7 +92,7 @@ class Reading {
   double cell_ = 1.0;  // [m] the grid's spacing; 1 m until it is known
   Crs crs_;            // of the grid
   bool grid_known_ = false;
-  std::string made_by_;  // the script that writes the scene's files; empty: none is named
+  std::filesystem::path made_by_;  // the script that writes the scene's files; empty: none is named
   std::map<std::string, const Node*> given_;
   std::set<std::string> singles_;
   std::set<std::string> failed_;

@@ -1,27 +1,16 @@
 """Figure 1 (left) and 17: a snow avalanche."""
 
-import subprocess
-
 import numpy as np
 
-from plotting import ROOT, plt
+from plotting import plt
 
 from . import table1
 from .common import FRAME, VOLUME
 from .model import Claim, Figure, Outcome, Run
 
-FOLDER = ROOT / "scenes/avalanche"
 FRICTION = 20.0                        # [deg] as in Table 1
 WITHIN = 3.0                           # [deg] that inner dissipation may add to the angle of the mass's way
 RELEASE = Run("avalanche", "avalanche/scene.yaml")
-
-
-def inputs():
-    """Writes the terrain and the snow, unless they are newer than the script."""
-    script = ROOT / "scripts/make_avalanche.py"
-    files = [FOLDER / "terrain.npy", FOLDER / "snow.npy"]
-    if not all(file.is_file() and file.stat().st_mtime >= script.stat().st_mtime for file in files):
-        subprocess.run(["/usr/bin/python3", str(script), str(FOLDER)], check=True)
 
 
 def centre(series, frame):
@@ -113,8 +102,7 @@ def draw_last(studio):
 FIGURE_1A = Figure("1a", "Fig. 1, avalanche: snow on a mountain side",
                    "'we simulate a snow avalanche whose friction angle is set to 20 deg. We reconstruct the snow "
                    "surface [...] for an iso-value of h = 0.1 dL.' Table 1: 512 x 512, hbar = h, C = 0.1, t_d = 20 ms.",
-                   draw_first, (RELEASE,), inputs)
+                   draw_first, (RELEASE,))
 FIGURE_17 = Figure("17", "Fig. 17: the avalanche runs out",
                    "'A snow avalanche. Our method is able to simulate large-scale dry granular media in real-time.'",
-                   draw_last, lambda: (RELEASE, *[table1.timed(table1.ROWS[0], device) for device in table1.devices()]),
-                   inputs)
+                   draw_last, lambda: (RELEASE, *[table1.timed(table1.ROWS[0], device) for device in table1.devices()]))

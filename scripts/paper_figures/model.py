@@ -38,13 +38,12 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure of the paper. `draw(studio)` returns an Outcome; `inputs()` writes files that the runs need."""
+    """A figure of the paper. `draw(studio)` returns an Outcome."""
     name: str
     title: str
     says: str                                        # what the paper says of it
     draw: object
     runs: object = ()                                # a tuple of Run, or a function that returns one
-    inputs: object = None
 
     @property
     def planned(self):

@@ -67,6 +67,7 @@ class Runs:
     def __init__(self, folder, program, say, retime=False):
         self.folder, self.program, self.say = Path(folder), Path(program), say
         self._old = set(self.folder.glob("*")) if retime else set()
+        self._written = set()                # scenes whose files are there
         self.made, self.found = 0, 0
         self._program = hashlib.sha256(self.program.read_bytes()).hexdigest()
 
@@ -76,6 +77,15 @@ class Runs:
         files = [part for path in files_of(scene) for part in (path.name, path.read_bytes())]
         return digest(self._program, scene.read_bytes(), *files, "settings", *run.settings, "options", *run.options,
                       run.timed)
+
+    def write_inputs(self, runs):
+        """Writes the files of scenes that name a script for them, once."""
+        scenes = sorted({str(ROOT / "scenes" / run.scene) for run in runs} - self._written)
+        if scenes:
+            done = subprocess.run([str(ROOT / "scripts/make_files"), *scenes], capture_output=True, text=True)
+            if done.returncode != 0:
+                raise RunFailed(done.stderr.strip())
+            self._written.update(scenes)
 
     def result(self, run):
         """The folder of a result; runs the scene unless it is there."""

@@ -59,8 +59,7 @@ class Workshop:
 
     def make(self, figure, anew=False):
         """Makes a figure unless it is there."""
-        if figure.inputs:
-            figure.inputs()
+        self.runs.write_inputs(figure.planned)
         key, record = self.key(figure), self.record(figure)
         pictures = record["outcome"].pictures if record else []
         if (record and record["key"] == key and not anew

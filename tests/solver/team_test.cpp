@@ -73,3 +73,36 @@ TEST_CASE("Long steps are not spent on trials") {
   // 50 steps of which the first and few others take one thread.
   CHECK(take_steps(team, 2.5, 0.16, 0.04) < 0.45);
 }
+
+TEST_CASE("A team has the processors that others leave") {
+  static const Team* own = nullptr;
+  Team team(16, true, 16, [] { return own->size() + 3; });
+  own = &team;
+  CHECK(team.room_for(16) == 13);
+  CHECK(team.room_for(8) == 8);
+  // A thirteenth of the time, but for the first window and some trials.
+  CHECK(take_steps(team, 1.0, 1.3e-3, 0.1e-3) < 0.12);
+  CHECK(team.usual() == 13);
+}
+
+TEST_CASE("Work on a small grid beside the steps takes the processors that are free") {
+  CHECK(Team(1, true, 2, only_this).room_for(2) == 2);
+  CHECK(Team(1, true, 2, with_three_others).room_for(2) == 1);
+  CHECK(Team(1, false, 2, with_three_others).room_for(2) == 2);  // so many were asked for
+}
+
+TEST_CASE("A team that was slow for a moment is taken again soon") {
+  Team team(2, true, 2, only_this);
+  take_steps(team, 5.0, 1e-3, 0.5e-3);
+  for (int second = 0; second < 10; ++second) {
+    take_steps(team, 0.02, 1e-3, 10e-3);
+    // A tenth of a second with one thread, and then half of the time.
+    CHECK(take_steps(team, 1.0, 1e-3, 0.5e-3) < 0.65);
+  }
+}
+
+TEST_CASE("Steps that become longer do not make a team give way") {
+  Team team(2, true, 2, only_this);
+  take_steps(team, 1.0, 1e-3, 0.5e-3);
+  CHECK(take_steps(team, 1.0, 3e-3, 1.5e-3) < 0.55);
+}

@@ -88,7 +88,12 @@ class CpuBackend final : public Backend {
       halo_.fill_rows(h_[which].view(), hu_[which].view(), hv_[which].view());
     }
   }
-  int blocks() const { return (ny() + block_ - 1) / block_; }
+  /// Rows of a block in the next step: every thread has some.
+  int block_rows() const {
+    const int each = (ny() + team_.size() - 1) / team_.size();
+    return config_.block_rows > 0 ? config_.block_rows : std::min(64, each);
+  }
+  int blocks() const { return (ny() + block_rows() - 1) / block_rows(); }
   // Each takes a step into the other buffers and returns its flags.
   int step_alone(const Rows& rows);
   int step_together(const Rows& rows);
@@ -105,7 +110,6 @@ class CpuBackend final : public Backend {
   Halo halo_;
   Team team_;
   int tile_ = 0;
-  int block_ = 0;
   std::size_t current_ = 0;
   std::array<Field<R>, 2> h_, hu_, hv_;
   Field<R> bed_, mu_, alpha_, cap_;
@@ -119,11 +123,12 @@ class CpuBackend final : public Backend {
   Maxima<R> maxima_;
   Capture capture_;
   coupling::HostScratch coupling_scratch_;
+  int particle_threads_ = 1;                                                         // at most; also on small grids
   std::shared_ptr<particles::ThreadedMachine> particle_machine_;                     // null without config.particles
   std::unique_ptr<particles::ParticleStage<particles::ThreadedMachine>> particles_;  // likewise
 };
 
-/// As many threads as the scene asks for; else up to one a processor where the grid gives them enough to do.
+/// As many threads as were asked for; else up to one a processor where the grid gives them enough to do.
 inline Team team_for(const BackendConfig& config) {
   constexpr std::size_t small = 16384;  // cells below which a second thread costs more than it brings
   if (config.threads > 0) {
@@ -139,8 +144,6 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
       halo_{config.grid.cells[0], config.grid.cells[1], config.boundaries},
       team_(team_for(config)) {
   tile_ = std::min(nx(), config.tile_columns > 0 ? config.tile_columns : 256);
-  const int rows_each = (ny() + team_.most() - 1) / team_.most();
-  block_ = std::max(1, config.block_rows > 0 ? config.block_rows : std::min(64, rows_each));
 
   for (std::size_t k = 0; k < 2; ++k) {
     h_[k] = Field<R>(nx(), ny(), R(0));
@@ -168,7 +171,8 @@ CpuBackend<Rows, Make>::CpuBackend(const BackendConfig& config, const InitialSta
   }
 
   if (config.particles) {
-    particle_machine_ = std::make_shared<particles::ThreadedMachine>(team_.most());
+    particle_threads_ = config.threads > 0 ? config.threads : omp_get_max_threads();
+    particle_machine_ = std::make_shared<particles::ThreadedMachine>(particle_threads_);
     particles_ = std::make_unique<particles::ParticleStage<particles::ThreadedMachine>>(
         particle_machine_, *config.particles, config.grid, config.boundaries);
   }

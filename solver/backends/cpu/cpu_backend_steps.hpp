@@ -39,7 +39,7 @@ SpeedLimit CpuBackend<Rows, Make>::speed_limit() const {
 
 template <class Rows, class Make>
 int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, int block) {
-  const int j0 = block * block_, j1 = std::min(j0 + block_, ny());
+  const int j0 = block * block_rows(), j1 = std::min(j0 + block_rows(), ny());
   int flags = 0;
   for (int i0 = 0; i0 < nx(); i0 += tile_) {
     flags |= rows.step({i0, std::min(i0 + tile_, nx()), j0, j1}, scratch, flow_);
@@ -55,7 +55,7 @@ int CpuBackend<Rows, Make>::step_block(const Rows& rows, Scratch<R>& scratch, in
 
 template <class Rows, class Make>
 void CpuBackend<Rows, Make>::step_edges(const Rows& rows, int block) {
-  const int first = block * block_, last = std::min(first + block_, ny()) - 1;
+  const int first = block * block_rows(), last = std::min(first + block_rows(), ny()) - 1;
   take_speeds(rows, next(), first, first + 1);
   take_speeds(rows, next(), last, last + 1);
 }
@@ -181,7 +181,7 @@ void CpuBackend<Rows, Make>::move_particles(double dt) {
       particles_->sand().take(i, j, d.h.row(j)[i], d.hu.row(j)[i], d.hv.row(j)[i], d.b(i, j), d.cover, material, dry);
     }
   }
-  particle_machine_->use(team_.size());
+  particle_machine_->use(team_.room_for(particle_threads_));
   particles_->move(dt);
 }
 

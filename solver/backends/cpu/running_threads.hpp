@@ -3,8 +3,8 @@
 
 namespace sandsim::cpu {
 
-/// Threads of all processes that run or wait for a processor now, the caller's among them; 0 where the system does not
-/// tell (it is the fourth number of Linux's /proc/loadavg).
+/// Threads of all processes that run or wait for a processor now, the caller's among them (the fourth number of Linux's
+/// /proc/loadavg); 0 where the system does not tell, or this process may use a part of the processors only.
 int running_threads();
 
 }  // namespace sandsim::cpu
