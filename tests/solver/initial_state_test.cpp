@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "solver/errors.hpp"
+#include "tests/solver/support.hpp"
 #include "tests/support/catch.hpp"
 
 namespace sandsim {
@@ -41,15 +41,6 @@ std::vector<double> depth_of(const Scene& scene) {
 }
 double volume(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-std::string error(const Scene& scene) {
-  try {
-    build_initial_state(scene);
-  } catch (const SceneError& problem) {
-    return problem.what();
-  }
-  return "no error";
 }
 
 TEST_CASE("sand at rest has no momentum") {
@@ -289,26 +280,27 @@ TEST_CASE("a raster without position and of another size is an error naming both
   scene.sand.initial = {SandRaster{file}};
   scene.sand.friction_coefficient = file;
 
-  CHECK(error(scene) == "terrain.file" + rest + "\nsand.initial.file" + rest + "\nsand.friction_coefficient" + rest);
+  CHECK(test::initial_error(scene) ==
+        "terrain.file" + rest + "\nsand.initial.file" + rest + "\nsand.friction_coefficient" + rest);
 }
 
 TEST_CASE("a bed that is not finite is an error") {
   Scene scene = scene_of(1, 1);
   scene.terrain = {RasterTerrain{raster_file(1, 1, {1e300}), 1e300, 0.0}};
 
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "terrain: the bed is not finite in 1 of 1 cells, the first is cell (0, 0) at x = 0.5 m, y = 0.5 m with inf");
 }
 
 TEST_CASE("negative depths are errors") {
   Scene scene = scene_of(2, 1);
   scene.sand.initial = {SandLayer{depth(5.0)}, SandRaster{raster_file(2, 1, {1, -1})}};
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "sand.initial.1.file = a.asc: the raster has negative depths in 1 of 2 cells, the first is cell (1, 0) at x = "
         "1.5 m, y = 0.5 m with -1");
 
   scene.sand.initial = {SandLayer{depth(-5.0)}};
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "sand.initial: the depth is negative or not finite in 2 of 2 cells, the first is cell (0, 0) at x = 0.5 m, y = "
         "0.5 m with -5");
 }
@@ -316,16 +308,17 @@ TEST_CASE("negative depths are errors") {
 TEST_CASE("material outside its range is an error") {
   Scene scene = scene_of(2, 1);
   scene.sand.friction_coefficient = -0.1;
-  CHECK(error(scene) == "sand.friction_coefficient = -0.1: the friction coefficient is negative or not finite");
+  CHECK(test::initial_error(scene) ==
+        "sand.friction_coefficient = -0.1: the friction coefficient is negative or not finite");
 
   scene.sand.friction_coefficient.reset();
-  CHECK(error(scene) == "sand: exactly one of friction_angle and friction_coefficient must be given");
+  CHECK(test::initial_error(scene) == "sand: exactly one of friction_angle and friction_coefficient must be given");
   scene.sand.friction_angle = raster_file(2, 1, {0.5, 30.0});
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "sand.friction_angle = a.asc: the friction angle is not in [0, pi/2) rad in 1 "
         "of 2 cells, the first is cell (1, 0) at x = 1.5 m, y = 0.5 m with 30");
   scene.sand.friction_angle = raster_file(1, 1, {0.5});
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "sand.friction_angle = a.asc: the raster has no data (outside its edges, or NODATA) in 1 of 2 cells, the first "
         "is cell (1, 0) at x = 1.5 m, y = 0.5 m with nan");
 }
@@ -333,13 +326,13 @@ TEST_CASE("material outside its range is an error") {
 TEST_CASE("hbar outside its range is an error") {
   Scene scene = scene_of(2, 1);
   scene.sand.hbar = {HbarPolicy::truncated, 0.0, 1.5, -1.0};
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "sand.hbar.scale = 1.5: the scale of hbar is not in (0, 1]\n"
         "sand.hbar.cap = -1: the cap of hbar is not positive and finite [m]");
   scene.sand.hbar = {HbarPolicy::constant, 0.0, 1.0, 0.0};
-  CHECK(error(scene) == "sand.hbar.depth = 0: the cap of hbar is not positive and finite [m]");
+  CHECK(test::initial_error(scene) == "sand.hbar.depth = 0: the cap of hbar is not positive and finite [m]");
   scene.sand.hbar = {HbarPolicy::scaled, 0.0, raster_file(2, 1, {0.5, 0.0}), 0.0};
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "sand.hbar.scale = a.asc: the scale of hbar is not in (0, 1] in 1 of 2 cells, the first is cell (1, 0) at x = "
         "1.5 m, y = 0.5 m with 0");
 }

@@ -26,6 +26,26 @@ Raster random_raster(std::size_t nx, std::size_t ny) {
   return raster_of(nx, ny, values);
 }
 
+Raster mirrored_in_x(const Raster& raster) {
+  Raster mirrored = raster;
+  for (std::size_t row = 0; row < raster.ny; ++row) {
+    for (std::size_t column = 0; column < raster.nx; ++column) {
+      mirrored.values[row * raster.nx + column] = raster.at(raster.nx - 1 - column, row);
+    }
+  }
+  return mirrored;
+}
+
+Raster transposed_square(const Raster& raster) {
+  Raster transposed = raster;
+  for (std::size_t row = 0; row < raster.ny; ++row) {
+    for (std::size_t column = 0; column < raster.nx; ++column) {
+      transposed.values[row * raster.nx + column] = raster.at(row, column);
+    }
+  }
+  return transposed;
+}
+
 TEST_CASE("a sample is bilinear between the centres") {
   const Raster raster = raster_of(2, 2, {0, 4, 8, 20});
 
@@ -95,14 +115,7 @@ TEST_CASE("a raster of one value is that value to the last bit") {
 
 TEST_CASE("mirrored and transposed rasters give the same bits") {
   const Raster raster = random_raster(4, 4);
-  Raster mirrored = raster;
-  Raster transposed = raster;
-  for (std::size_t row = 0; row < 4; ++row) {
-    for (std::size_t column = 0; column < 4; ++column) {
-      mirrored.values[row * 4 + column] = raster.at(3 - column, row);
-      transposed.values[row * 4 + column] = raster.at(row, column);
-    }
-  }
+  const Raster mirrored = mirrored_in_x(raster), transposed = transposed_square(raster);
 
   for (const double x : {0.125, 0.375, 1.6875, 2.75}) {
     for (const double y : {0.0, 0.25, 1.3125, 3.0}) {
@@ -214,14 +227,7 @@ TEST_CASE("on the grid's own cells a spread raster has its bits also far from th
 
 TEST_CASE("mirrored and transposed rasters are spread and averaged alike to the last bit") {
   const Raster raster = random_raster(10, 10);
-  Raster mirrored = raster;
-  Raster transposed = raster;
-  for (std::size_t row = 0; row < 10; ++row) {
-    for (std::size_t column = 0; column < 10; ++column) {
-      mirrored.values[row * 10 + column] = raster.at(9 - column, row);
-      transposed.values[row * 10 + column] = raster.at(row, column);
-    }
-  }
+  const Raster mirrored = mirrored_in_x(raster), transposed = transposed_square(raster);
   const Grid grid{{4, 4}, 2.5, {-0.5, -0.5}};  // which ends with the raster
   const auto check = [](const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& c) {
     for (std::size_t j = 0; j < 4; ++j) {

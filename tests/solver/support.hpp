@@ -1,10 +1,13 @@
 // Small scenes and a sink that keeps what it is given.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "solver/errors.hpp"
+#include "solver/initial_state.hpp"
 #include "solver/simulation.hpp"
 
 namespace sandsim::test {
@@ -46,6 +49,16 @@ inline const FieldValues& field_of(const Frame& frame, const std::string& name) 
     }
   }
   throw std::out_of_range("no field " + name);
+}
+
+/// What building the initial state of a scene with problems says.
+inline std::string initial_error(const Scene& scene) {
+  try {
+    build_initial_state(scene);
+  } catch (const SceneError& problem) {
+    return problem.what();
+  }
+  return "no error";
 }
 
 }  // namespace sandsim::test

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "solver/errors.hpp"
 #include "solver/simulation.hpp"
+#include "tests/solver/support.hpp"
 #include "tests/support/catch.hpp"
 
 namespace sandsim {
@@ -27,18 +27,9 @@ Scene scene_of(int nx, int ny, std::vector<double> bed, Nodata nodata) {
   return scene;
 }
 
-std::string error(const Scene& scene) {
-  try {
-    build_initial_state(scene);
-  } catch (const SceneError& problem) {
-    return problem.what();
-  }
-  return "no error";
-}
-
 TEST_CASE("terrain without data is an error that tells the line, the cells and the ways out") {
   CHECK(
-      error(scene_of(3, 2, {1, nan, 3, 4, 5, nan}, Nodata::error)) ==
+      test::initial_error(scene_of(3, 2, {1, nan, 3, 4, 5, nan}, Nodata::error)) ==
       "s.yaml:2:24: terrain.file = dem.asc: the raster has no data (outside its edges, or NODATA) in 2 of 6 cells, the "
       "first is cell (1, 0) at x = 1.5 m, y = 0.5 m with nan. Keep the grid to the data (grid.cells, grid.origin), or "
       "write \"nodata: wall\" to keep the sand out there, or \"nodata: nearest\" to take the nearest value");
@@ -53,7 +44,7 @@ TEST_CASE("terrain without data takes the nearest value") {
 
 TEST_CASE("terrain without any data is an error in every way") {
   for (const Nodata nodata : {Nodata::error, Nodata::wall, Nodata::nearest}) {
-    CHECK(error(scene_of(2, 1, {nan, nan}, nodata)) ==
+    CHECK(test::initial_error(scene_of(2, 1, {nan, nan}, nodata)) ==
           "s.yaml:2:24: terrain.file = dem.asc: the raster has no data in any cell of the grid");
   }
 }
@@ -95,7 +86,7 @@ TEST_CASE("sand on walls is left out with a warning, and a layer or a level does
 TEST_CASE("a source on a wall is an error") {
   Scene scene = scene_of(4, 1, {0, nan, 0, 0}, Nodata::wall);
   scene.sand.sources = {SandSource{{1.0, 0.5}, 0.6, 1.0, 0.0, 1.0}};
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "sand.sources: 1 of its 2 cells are walls, since the terrain has no data there. Move the source");
 }
 
@@ -195,7 +186,7 @@ TEST_CASE("zones that overlap are an error with the cell") {
   Scene scene = scene_of(2, 1, {0, 0}, Nodata::error);
   const Ring cell{{1, 0}, {2, 0}, {2, 1}, {1, 1}};
   scene.sand.friction_coefficient = zones_of({{{cell}, 0.2}, {{cell}, 0.4}}, 1.0);
-  CHECK(error(scene) ==
+  CHECK(test::initial_error(scene) ==
         "s.yaml:3:40: sand.friction_coefficient = soils.gpkg: zones overlap: together they cover more than the whole "
         "cell "
         "in 1 of 2 cells, the first is cell (1, 0) at x = 1.5 m, y = 0.5 m with 2. Cut them so that each point lies in "
