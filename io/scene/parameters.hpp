@@ -52,14 +52,20 @@ void describe(V& v, PlaneTerrain& t) {
   v.field("elevation", t.elevation, length(), "Height of the bed at the grid's origin.");
 }
 
-/// What a raster's file is asked for, and the file itself.
+/// What a raster's file is asked for.
 template <class V>
-void describe_raster(V& v, RasterFile& file, const Rule& rule) {
+void describe_request(V& v, RasterFile& file) {
   v.field("band", file.band, number().at_least(1), "Band of a file that GDAL reads, counted from 1.");
   v.field("variable", file.variable, text().like("elevation"), "Variable of a file that holds several (NetCDF).");
   v.field("first_row", file.first_row, choice(),
           "Which side the first row (row 0) of a .npy file is: south, the smallest y, unless north is given, as "
           "programs for maps have it. Not for files that know where their rows lie.");
+}
+
+/// That, and the file itself.
+template <class V>
+void describe_raster(V& v, RasterFile& file, const Rule& rule) {
+  describe_request(v, file);
   v.field("file", file, rule,
           "GeoTIFF or what else GDAL reads, ESRI ASCII grid, or .npy (row 0 in the south, see first_row); a relative "
           "name is relative to the scene file.");

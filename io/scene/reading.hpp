@@ -4,10 +4,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "io/gis/gis.hpp"
 #include "io/scene/node.hpp"
 #include "io/scene/problems.hpp"
 #include "io/scene/rule.hpp"
@@ -70,6 +74,8 @@ class Reading {
   std::string way_to_make_files() const;
   /// The file's full name if it is there and a file; else complains (or warns) and returns an empty path.
   std::filesystem::path find_file(const Node& node, const std::string& path, const Rule& rule);
+  /// The raster as it is on file. That of a grid is kept for the terrain, which mostly is the same.
+  Raster as_on_file(const std::filesystem::path& file, const RasterRequest& request);
   /// Loads the raster of `node` into `target`, whose first_row says how the file lies; values are in the display unit
   /// of the rule's dimension, and are checked.
   void load(const Node& node, const std::string& path, RasterFile& target, const Rule& rule);
@@ -92,7 +98,9 @@ class Reading {
   double cell_ = 1.0;  // [m] the grid's spacing; 1 m until it is known
   Crs crs_;            // of the grid
   bool grid_known_ = false;
-  std::filesystem::path made_by_;  // the script that writes the scene's files; empty: none is named
+  using RasterKey = std::tuple<std::filesystem::path, int, std::string>;  // file, band, variable
+  std::optional<std::pair<RasterKey, Raster>> like_;  // the raster of the grid, until it is asked for
+  std::filesystem::path made_by_;                     // the script that writes the scene's files; empty: none is named
   std::map<std::string, const Node*> given_;
   std::set<std::string> singles_;
   std::set<std::string> failed_;

@@ -5,17 +5,31 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "io/gis/gis.hpp"
 #include "io/raster/read_raster.hpp"
 #include "io/scene/fill_values.hpp"
-#include "io/scene/names.hpp"
+#include "io/scene/map_reader.hpp"
+#include "io/scene/parameters.hpp"
 #include "io/scene/reading.hpp"
 #include "io/scene/value_text.hpp"
 #include "solver/errors.hpp"
 
 namespace sandsim {
+
+Raster Reading::as_on_file(const std::filesystem::path& file, const RasterRequest& request) {
+  const RasterKey key{file, request.band, request.variable};
+  if (like_ && like_->first == key) {
+    Raster kept = std::move(like_->second);
+    like_.reset();
+    return kept;
+  }
+  Raster raster = read_raster(file, request);
+  if (!grid_known_) like_.emplace(key, raster);
+  return raster;
+}
 
 void Reading::load(const Node& node, const std::string& path, RasterFile& target, const Rule& rule) {
   auto raster = std::make_shared<Raster>();
@@ -25,7 +39,7 @@ void Reading::load(const Node& node, const std::string& path, RasterFile& target
   const std::filesystem::path full = find_file(node, path, rule);
   if (full.empty()) return;
   try {
-    *raster = read_raster(full, {target.band.value_or(1), target.variable.value_or("")});
+    *raster = as_on_file(full, {target.band.value_or(1), target.variable.value_or("")});
   } catch (const InputError& error) {
     complain_input(node, path, {"the raster cannot be read", error.what(), ""});
     return;
@@ -126,22 +140,8 @@ void Reading::parse(const Node& node, const std::string& path, ScalarMap& target
     return;
   }
   RasterFile map;
-  if (const Node* given = node.find("first_row"); given != nullptr) {
-    note(path + ".first_row", *given);
-    const std::size_t index = parse_name(*given, path + ".first_row", enum_names<FirstRow>());
-    if (index == npos) return;
-    map.first_row = static_cast<FirstRow>(index);
-  }
-  if (const Node* given = node.find("band")) {
-    int band = 1;
-    parse(*given, path + ".band", band, number().at_least(1));
-    map.band = band;
-  }
-  if (const Node* given = node.find("variable")) {
-    std::string variable;
-    parse(*given, path + ".variable", variable, text().required());
-    map.variable = variable;
-  }
+  MapReader members(*this, node, path);
+  describe_request(members, map);
   load(*raster, path + ".raster", map, rule);
   target = std::move(map);
 }
