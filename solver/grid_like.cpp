@@ -24,23 +24,23 @@ std::string text(const std::array<double, 4>& sides) {
 
 }  // namespace
 
-std::variant<Grid, GridProblem> grid_of(const GridLike& from, double spacing) {
+std::variant<Grid, Issue> grid_of(const GridLike& from, double spacing) {
   const Raster& raster = *from.like->data;
   if (!raster.has_georeference) {
-    return GridProblem{"like", "the file carries no position", "a grid needs an origin and a spacing",
-                       "Give grid.cells, spacing and origin instead."};
+    return Issue{"grid.like", "the file carries no position", "a grid needs an origin and a spacing",
+                 "Give grid.cells, spacing and origin instead."};
   }
   constexpr double rounding = 1e-6;  // of a cell: headers are written with six digits or more
   const bool square = std::abs(raster.spacing_x - raster.spacing_y) <= rounding * raster.spacing_x;
   if (spacing == 0.0 && !square) {
-    return GridProblem{"like", "the raster's cells are no squares",
-                       number_text(raster.spacing_x) + " m x " + number_text(raster.spacing_y) + " m",
-                       "Add \"spacing: " + number_text(std::min(raster.spacing_x, raster.spacing_y)) + " m\"."};
+    return Issue{"grid.like", "the raster's cells are no squares",
+                 number_text(raster.spacing_x) + " m x " + number_text(raster.spacing_y) + " m",
+                 "Add \"spacing: " + number_text(std::min(raster.spacing_x, raster.spacing_y)) + " m\"."};
   }
   const bool keeps_cells = spacing == 0.0;
   const std::array<double, 4> whole = sides(raster);
   std::array<double, 4> part = from.extent.value_or(whole);
-  const std::string part_key = from.extent ? "extent" : "margin";
+  const std::string part_key = from.extent ? "grid.extent" : "grid.margin";
   for (std::size_t k = 0; k < 2; ++k) {
     part[k] += from.margin;
     part[k + 2] -= from.margin;
@@ -51,20 +51,20 @@ std::variant<Grid, GridProblem> grid_of(const GridLike& from, double spacing) {
   for (std::size_t k = 0; k < 2; ++k) {
     const double slack = rounding * side;
     if (part[k] < whole[k] - slack || part[k + 2] > whole[k + 2] + slack) {
-      return GridProblem{part_key, "reaches beyond the raster", "the raster spans " + text(whole), ""};
+      return Issue{part_key, "reaches beyond the raster", "the raster spans " + text(whole), ""};
     }
     const double length = (part[k + 2] - part[k]) / side;
     const double before = keeps_cells ? std::round((part[k] - whole[k]) / side) : 0.0;
     const double cells =
         keeps_cells ? std::round((part[k + 2] - whole[k]) / side) - before : std::floor(length + rounding);
     if (!(cells >= 1.0)) {
-      return GridProblem{from.extent || from.margin > 0.0 ? part_key : "spacing", "no cell is left",
-                         number_text(std::max(0.0, part[k + 2] - part[k])) + " m along " + (k == 0 ? "x" : "y") +
-                             ", cells of " + number_text(side) + " m",
-                         ""};
+      return Issue{from.extent || from.margin > 0.0 ? part_key : "grid.spacing", "no cell is left",
+                   number_text(std::max(0.0, part[k + 2] - part[k])) + " m along " + (k == 0 ? "x" : "y") +
+                       ", cells of " + number_text(side) + " m",
+                   ""};
     }
     if (cells > static_cast<double>(std::numeric_limits<int>::max())) {
-      return GridProblem{"spacing", "too many cells", "", "Use a larger spacing."};
+      return Issue{"grid.spacing", "too many cells", "", "Use a larger spacing."};
     }
     grid.cells[k] = static_cast<int>(cells);
     grid.origin[k] = keeps_cells ? whole[k] + before * side : part[k];

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <variant>
 
+#include "solver/checks.hpp"
 #include "solver/raster.hpp"
 #include "solver/scene.hpp"
 
@@ -18,13 +18,9 @@ struct GridLike {
   double margin = 0.0;                          // left out along each side
 };
 
-/// Why there is no such grid: the key of the scene's grid that is to blame, the problem and why.
-struct GridProblem {
-  std::string key, problem, why, suggestion;
-};
-
-/// The raster's cells, or those of its part, with its CRS; without `spacing` (0) their edges are those of the raster's
-/// cells. With a spacing the grid begins in the lower left corner and holds the whole cells that fit.
-std::variant<Grid, GridProblem> grid_of(const GridLike& from, double spacing);
+/// The raster's cells, or those of its part, with its CRS; or why there is no such grid. Without `spacing` (0) their
+/// edges are those of the raster's cells. With a spacing the grid begins in the lower left corner and holds the whole
+/// cells that fit.
+std::variant<Grid, Issue> grid_of(const GridLike& from, double spacing);
 
 }  // namespace sandsim

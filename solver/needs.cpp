@@ -7,19 +7,13 @@
 #include "solver/backend_config.hpp"
 #include "solver/backends/expected_bytes.hpp"
 #include "solver/particles.hpp"
+#include "solver/terrain.hpp"
 
 namespace sandsim {
 namespace {
 
 /// Frames that a run holds beside its state: one that waits, one that is being written, and the one before.
 constexpr double frames_held = 3.0;
-
-bool has_bed(const Scene& scene) {
-  return std::any_of(scene.terrain.begin(), scene.terrain.end(), [](const TerrainPart& part) {
-    const auto* flat = std::get_if<FlatTerrain>(&part);
-    return flat == nullptr || flat->elevation != 0.0;
-  });
-}
 
 int map_count(const Sand& sand) {
   const auto is_map = [](const ScalarMap& value) { return std::holds_alternative<double>(value) ? 0 : 1; };

@@ -156,12 +156,15 @@ double in_run_precision(const Scene& scene, double b) {
 
 }  // namespace
 
-Ground build_ground(const Scene& scene, GridProblems& problems) {
-  const auto leaves_bed_at_zero = [](const TerrainPart& part) {
+bool has_bed(const Scene& scene) {
+  return std::any_of(scene.terrain.begin(), scene.terrain.end(), [](const TerrainPart& part) {
     const auto* flat = std::get_if<FlatTerrain>(&part);
-    return flat != nullptr && flat->elevation == 0.0;
-  };
-  if (std::all_of(scene.terrain.begin(), scene.terrain.end(), leaves_bed_at_zero)) {
+    return flat == nullptr || flat->elevation != 0.0;
+  });
+}
+
+Ground build_ground(const Scene& scene, GridProblems& problems) {
+  if (!has_bed(scene)) {
     return {};
   }
   Ground ground;

@@ -18,6 +18,9 @@ struct Ground {
   bool wall_at(std::size_t cell) const { return !is_wall.empty() && is_wall[cell] != 0; }
 };
 
+/// Whether the scene's terrain is more than level ground at 0 m, which needs no array.
+bool has_bed(const Scene& scene);
+
 /// The bed, in the run's precision. Where a raster has no data the cell is a problem, a wall, or takes the nearest
 /// value of that raster. Sources on walls are a problem.
 Ground build_ground(const Scene& scene, GridProblems& problems);

@@ -232,7 +232,7 @@ ExitCode export_command(const ExportArguments& arguments, Console& console) {
   prepare_targets(plan, arguments.overwrite);
   if (plan.what == Subject::rasters && !series.grid().crs.known() && !arguments.quiet) {
     console.err << fmt::format(
-        "sandsim: warning: {}: the grid has no CRS, and so have the rasters; "
+        "sandsim: warning: {}: the grid has no CRS, and neither have the rasters; "
         "state it in the scene as grid.crs\n",
         series.path().string());
   }

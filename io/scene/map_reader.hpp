@@ -60,8 +60,8 @@ class MapReader {
   void take_grid(Grid& grid, const GridLike& from) {
     if (from.like && !reading_.failed(path_)) {
       auto found = grid_of(from, grid.spacing);
-      if (const auto* problem = std::get_if<GridProblem>(&found)) {
-        reading_.complain_at(path_of(problem->key), {problem->problem, problem->why, problem->suggestion});
+      if (const auto* issue = std::get_if<Issue>(&found)) {
+        reading_.complain_at(issue->key, {issue->problem, issue->why, issue->suggestion});
         return;
       }
       grid = std::move(std::get<Grid>(found));

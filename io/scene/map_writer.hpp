@@ -101,8 +101,9 @@ class MapWriter {
     value.file = moved(value.file);
     return value;
   }
-  PolygonFile located(const PolygonFile& value) const {
-    return {moved(value.file), value.layer, value.attribute, value.data, value.place};
+  PolygonFile located(PolygonFile value) const {
+    value.file = moved(value.file);
+    return value;
   }
   Profile located(const Profile& value) const { return {moved(value.file), {}, {}}; }
   FrontCurve located(const FrontCurve& value) const { return {moved(value.file), {}, {}}; }
